@@ -1,0 +1,94 @@
+# Pilotage from a fresh machine: `make demo` and `make test`. Needs python3, a C++17 compiler and make.
+
+PYTHON ?= python3
+PRESET ?= default
+JOBS ?= $(shell nproc)
+VENV := $(CURDIR)/.venv
+PIP := $(VENV)/bin/pip --disable-pip-version-check
+# Recipes find the virtual environment's cmake, ninja and python3 first.
+IN_VENV := PATH="$(VENV)/bin:$$PATH"
+
+SOURCES := $(shell find cpp bindings lcmtypes configs python cmake CMakeLists.txt pyproject.toml \
+                        -type f ! -name '*.pyc')
+BUILD_REQUIRES := $(shell sed -n 's/^requires = \[\(.*\)\]/\1/p' pyproject.toml | tr ',' ' ')
+CPP_FILES = $(shell find cpp bindings tests bench examples -name '*.[ch]pp' 2>/dev/null)
+
+.PHONY: help demo test test-cpp test-python lint format tidy stubs wheel bench sanitize clean
+.NOTPARALLEL:
+
+help:
+	@echo 'make demo      install into .venv, simulate a drive, localize it live, draw it'
+	@echo 'make test      all C++ and Python tests'
+	@echo 'make lint      formatting, style, types      make format   put formatting right'
+	@echo 'make tidy      clang-tidy (slow)             make stubs    write _core.pyi anew'
+	@echo 'make wheel     a wheel in dist/              make bench    benchmarks'
+	@echo 'make sanitize  C++ tests under address and undefined-behaviour sanitizers'
+	@echo 'make clean     remove what was built, and .venv'
+
+$(VENV)/.made: pyproject.toml
+	@PYTHON="$(PYTHON)" tools/prepare-machine
+	$(PYTHON) -m venv $(VENV)
+	$(PIP) install -q 'cmake>=3.22' ninja $(BUILD_REQUIRES)
+	@touch $@
+
+# Without isolation, so that the build in build/ is kept and only what changed is compiled.
+$(VENV)/.installed: $(VENV)/.made $(SOURCES)
+	$(IN_VENV) $(PIP) install -q --no-build-isolation .
+	@touch $@
+
+$(VENV)/.tools: $(VENV)/.installed pyproject.toml
+	$(IN_VENV) $(PIP) install -q --no-build-isolation '.[test,dev]'
+	@touch $@
+
+demo: $(VENV)/.installed
+	$(VENV)/bin/pilotage demo
+
+test: test-cpp test-python
+
+test-cpp: $(VENV)/.made
+	@tools/prepare-machine tests
+	$(IN_VENV) cmake --preset $(PRESET) -G Ninja
+	$(IN_VENV) cmake --build build/cpp -j $(JOBS)
+	$(IN_VENV) ctest --test-dir build/cpp --output-on-failure -j $(JOBS)
+
+test-python: $(VENV)/.tools
+	$(IN_VENV) python -m pytest $(PYTEST)
+
+lint: $(VENV)/.tools
+	$(IN_VENV) ruff check
+	$(IN_VENV) ruff format --check
+	$(IN_VENV) mypy
+	$(IN_VENV) clang-format --dry-run --Werror $(CPP_FILES)
+
+format: $(VENV)/.tools
+	$(IN_VENV) ruff check --fix
+	$(IN_VENV) ruff format
+	$(IN_VENV) clang-format -i $(CPP_FILES)
+
+tidy: $(VENV)/.made
+	$(PIP) install -q "$$(sed -n 's/^tidy = \["\(.*\)"\]/\1/p' pyproject.toml)"
+	$(IN_VENV) cmake --preset default -G Ninja
+	$(IN_VENV) cmake --build build/cpp --target pilotage_lcmtypes_headers
+	find cpp -name '*.cpp' | $(IN_VENV) xargs -n 1 -P $(JOBS) clang-tidy --quiet -p build/cpp
+
+stubs: $(VENV)/.tools
+	$(IN_VENV) pybind11-stubgen pilotage._core -o build/stubs
+	cp build/stubs/pilotage/_core.pyi python/pilotage/_core.pyi
+
+wheel: $(VENV)/.made
+	$(IN_VENV) $(PIP) wheel --no-build-isolation --no-deps -w dist .
+
+bench: $(VENV)/.installed
+	$(IN_VENV) $(PIP) install -q --no-build-isolation '.[bench]'
+	$(IN_VENV) cmake --preset bench -G Ninja
+	$(IN_VENV) cmake --build build/bench -j $(JOBS)
+	$(IN_VENV) python bench/run.py
+
+sanitize: $(VENV)/.made
+	@tools/prepare-machine tests
+	$(IN_VENV) cmake --preset sanitize -G Ninja
+	$(IN_VENV) cmake --build build/sanitize -j $(JOBS)
+	$(IN_VENV) ctest --test-dir build/sanitize --output-on-failure -j $(JOBS)
+
+clean:
+	rm -rf build dist $(VENV)

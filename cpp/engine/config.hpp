@@ -1,0 +1,89 @@
+#pragma once
+/// \file
+/// Everything that a run needs besides its input: parameters of the core, channels and times of the inputs,
+/// names of the sensors, and the map.
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "pilotage/marker_map.hpp"
+#include "pilotage/params.hpp"
+
+namespace pilotage {
+
+/// Which clock dates a sample.
+enum class TimePolicy : unsigned char {
+    utime,    ///< the sender's stamp
+    receive,  ///< the time of arrival
+    mapped,   ///< the sender's stamp moved by the smallest delay of the last minute
+};
+
+struct InputParams {
+    std::string channel;
+    TimePolicy time = TimePolicy::utime;
+    double latency_s = 0;  ///< the stamp is this much later than the moment it speaks of; may be negative
+};
+
+struct OutputParams {
+    std::string pose = "POSE";
+    std::string report = "MARKER_REPORT";
+    std::string status = "STATUS";
+};
+
+struct Config {
+    Params params;  ///< sensors in the order of sensor_names
+    InputParams encoders{"ENCODERS"};
+    InputParams velocity{"VELOCITY"};
+    InputParams gyro{"GYRO"};
+    InputParams reset{"POSE_RESET"};
+    OutputParams output;
+    std::vector<std::string> sensor_names;
+    std::vector<InputParams> sensor_inputs;
+    MarkerMap map;
+    std::string map_file;  ///< as written in the configuration, empty if the map stands in it or is missing
+
+    /// The sensor's number, added with defaults if it is new. \throws ConfigError past Params::kMaxSensors
+    int sensor(std::string_view name);
+};
+
+/// A configuration, map or key that cannot be used. what() names file, line, key, value and what was expected.
+class ConfigError : public std::runtime_error {
+   public:
+    using std::runtime_error::runtime_error;
+};
+
+/// One place in the configuration: a dotted key, the member behind it, what it may be and what it means.
+struct Field {
+    /// Names of an enumeration's values, and access to it as a number.
+    struct Choice {
+        unsigned char* value;
+        std::vector<std::string> names;
+    };
+    enum class Range { any, positive, not_negative, not_zero, probability, unset_or_any };
+
+    std::string key;
+    std::variant<double*, int*, std::string*, Choice> value;
+    Range range;
+    const char* meaning;
+
+    /// The value as text, as YAML would write it.
+    [[nodiscard]] std::string text() const;
+    /// \throws ConfigError with `where` in front if the text is not a value in the range
+    void set(const std::string& text, const std::string& where) const;
+    [[nodiscard]] bool unset() const;  ///< NaN: not written to files
+};
+
+/// Every field of the configuration, in the order of the file. The pointers are into `config`.
+[[nodiscard]] std::vector<Field> fields(Config& config);
+
+/// The field of a key; creates the sensor that a `sensors.NAME.` key speaks of.
+/// \throws ConfigError naming the nearest key
+[[nodiscard]] Field field(Config& config, const std::string& key, const std::string& where);
+
+/// Checks what no single field can: that the parts fit together. \throws ConfigError
+void check(const Config& config, const std::string& where);
+
+}  // namespace pilotage

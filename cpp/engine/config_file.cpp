@@ -1,0 +1,191 @@
+#include "config_file.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace pilotage {
+
+namespace {
+
+std::string at(const std::string& where, const YAML::Mark& mark) {
+    return mark.is_null() ? where : where + ":" + std::to_string(mark.line + 1);
+}
+
+[[noreturn]] void fail(const std::string& where, const YAML::Node& node, const std::string& what) {
+    throw ConfigError(at(where, node.Mark()) + ": " + what);
+}
+
+std::string read_file(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) throw ConfigError(path + ": cannot be opened; does it exist, and may it be read?");
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+YAML::Node parse_yaml(const std::string& text, const std::string& where) {
+    try {
+        return YAML::Load(text);
+    } catch (const YAML::Exception& error) {
+        throw ConfigError(at(where, error.mark) + ": not YAML: " + error.msg);
+    }
+}
+
+/// Calls visit(key, value) for each pair; yaml-cpp takes a key that comes twice in silence, we do not.
+template <typename Visit>
+void each_pair(const YAML::Node& map, const std::string& where, const Visit& visit) {
+    std::set<std::string> seen;
+    for (const auto& pair : map) {
+        if (!pair.first.IsScalar()) fail(where, pair.first, "a key must be a word");
+        const std::string key = pair.first.Scalar();
+        if (!seen.insert(key).second) fail(where, pair.first, "key '" + key + "' comes twice");
+        visit(key, pair.first, pair.second);
+    }
+}
+
+double number(const YAML::Node& node, const std::string& what, const std::string& where) {
+    double value = 0;
+    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
+        fail(where, node, what + " is '" + (node.IsScalar() ? node.Scalar() : "not a scalar") +
+                              "', expected a finite number");
+    return value;
+}
+
+Marker parse_marker(const YAML::Node& node, const std::string& where) {
+    if (!node.IsMap()) fail(where, node, "a marker is written {id: 1, x: 2.0, y: 3.0, z: 0.0, sigma: 0.01}");
+    Marker marker;
+    bool id = false, x = false, y = false;
+    each_pair(node, where, [&](const std::string& key, const YAML::Node& name, const YAML::Node& value) {
+        const double v = number(value, key, where);
+        if (key == "id") {
+            if (v != std::floor(v) || v < 0 || v > 2147483647.0)
+                fail(where, value, "id is '" + value.Scalar() + "', expected a whole number of 0 or more");
+            marker.id = static_cast<std::int32_t>(v);
+            id = true;
+        } else if (key == "x") {
+            marker.x_m = v;
+            x = true;
+        } else if (key == "y") {
+            marker.y_m = v;
+            y = true;
+        } else if (key == "z") {
+            marker.z_m = v;
+        } else if (key == "sigma") {
+            if (v < 0) fail(where, value, "sigma is '" + value.Scalar() + "', expected 0 or more");
+            marker.sigma_m = v;
+        } else {
+            fail(where, name, "unknown key '" + key + "' in a marker; known: id, x, y, z, sigma");
+        }
+    });
+    if (!id || !x || !y) fail(where, node, "a marker needs id, x and y");
+    return marker;
+}
+
+MarkerMap parse_map(const YAML::Node& list, const std::string& where) {
+    if (!list.IsSequence())
+        fail(where, list, "a map is a list of markers: - {id: 1, x: 2.0, y: 3.0, z: 0.0, sigma: 0.01}");
+    std::vector<Marker> markers;
+    std::set<std::int32_t> ids;
+    for (const auto& node : list) {
+        markers.push_back(parse_marker(node, where));
+        if (!ids.insert(markers.back().id).second)
+            fail(where, node, "marker id " + std::to_string(markers.back().id) + " comes twice");
+    }
+    return checked_map(std::move(markers), where);
+}
+
+void apply(Config& config, const YAML::Node& node, const std::string& prefix, const std::string& where,
+           const std::string& folder) {
+    each_pair(node, where, [&](const std::string& name, const YAML::Node& at_key, const YAML::Node& value) {
+        const std::string key = prefix + name;
+        if (key == "map" && value.IsSequence()) {
+            config.map = parse_map(value, where);
+        } else if (value.IsMap()) {
+            if (prefix == "sensors.") config.sensor(name);
+            apply(config, value, key + ".", where, folder);
+        } else if (value.IsScalar()) {
+            field(config, key, at(where, at_key.Mark())).set(value.Scalar(), at(where, value.Mark()));
+            if (key == "map") {
+                const bool absolute = config.map_file.front() == '/';
+                config.map = load_map(absolute || folder.empty() ? config.map_file
+                                                                 : folder + "/" + config.map_file);
+            }
+        } else {
+            fail(where, value, "'" + key + "' needs a value");
+        }
+    });
+}
+
+}  // namespace
+
+MarkerMap checked_map(std::vector<Marker> markers, const std::string& where) {
+    if (markers.empty()) throw ConfigError(where + ": the map has no marker; at least one is needed");
+    std::set<std::int32_t> ids;
+    for (const Marker& m : markers) {
+        const std::string name = where + ": marker " + std::to_string(m.id);
+        if (m.id < 0) throw ConfigError(name + ": an id is 0 or more (-1 means unknown)");
+        if (!ids.insert(m.id).second) throw ConfigError(name + " comes twice");
+        for (const double v : {m.x_m, m.y_m, m.z_m, m.sigma_m})
+            if (!std::isfinite(v)) throw ConfigError(name + ": x, y, z and sigma must be finite");
+        if (m.sigma_m < 0) throw ConfigError(name + ": sigma must be 0 or more");
+    }
+    return MarkerMap(std::move(markers));
+}
+
+MarkerMap load_map(const std::string& path) { return parse_map(parse_yaml(read_file(path), path), path); }
+
+Config load_config(const std::string& path) {
+    const auto slash = path.rfind('/');
+    return parse_config(read_file(path), path, slash == std::string::npos ? "" : path.substr(0, slash));
+}
+
+Config parse_config(const std::string& yaml, const std::string& where, const std::string& folder) {
+    Config config;
+    const YAML::Node root = parse_yaml(yaml, where);
+    if (!root.IsMap()) throw ConfigError(where + ": a configuration is a YAML map of sections");
+    apply(config, root, "", where, folder);
+    check(config, where);
+    return config;
+}
+
+std::string to_yaml(const MarkerMap& map) {
+    YAML::Emitter out;
+    out.SetDoublePrecision(17);
+    out << YAML::BeginSeq;
+    for (const Marker& m : map.markers())
+        out << YAML::Flow << YAML::BeginMap << YAML::Key << "id" << YAML::Value << m.id << YAML::Key << "x"
+            << YAML::Value << m.x_m << YAML::Key << "y" << YAML::Value << m.y_m << YAML::Key << "z"
+            << YAML::Value << m.z_m << YAML::Key << "sigma" << YAML::Value << m.sigma_m << YAML::EndMap;
+    out << YAML::EndSeq;
+    return std::string(out.c_str()) + "\n";
+}
+
+std::string to_yaml(const Config& config) {
+    Config copy = config;
+    YAML::Node root;
+    for (const Field& f : fields(copy)) {
+        if (f.unset() || f.key == "map") continue;
+        YAML::Node node = root;
+        std::istringstream path(f.key);
+        std::string part, last;
+        for (std::getline(path, last, '.'); std::getline(path, part, '.'); last = part) node.reset(node[last]);
+        node[last] = f.text();
+    }
+    std::ostringstream text;
+    text << root << "\n";
+    if (!config.map.markers().empty()) text << "map:\n" << to_yaml(config.map);
+    return text.str();
+}
+
+void save_map(const MarkerMap& map, const std::string& path) {
+    std::ofstream file(path);
+    file << to_yaml(map);
+    if (!file.flush()) throw ConfigError(path + ": cannot be written");
+}
+
+}  // namespace pilotage

@@ -1,0 +1,256 @@
+/// The configuration's keys, each with its place, range and meaning: the one list that loading, writing,
+/// looking up and documenting use. Defaults stand with the members.
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+#include "config.hpp"
+
+namespace pilotage {
+
+namespace {
+
+using Range = Field::Range;
+
+template <typename Enum>
+Field::Choice choice(Enum& value, std::vector<std::string> names) {
+    static_assert(sizeof(Enum) == 1);
+    return {reinterpret_cast<unsigned char*>(&value), std::move(names)};
+}
+
+void add_input(std::vector<Field>& list, const std::string& prefix, InputParams& input) {
+    list.push_back({prefix + "channel", &input.channel, Range::any, "LCM channel"});
+    list.push_back({prefix + "time", choice(input.time, {"utime", "receive", "mapped"}), Range::any,
+                    "what dates a sample: the sender's stamp, its arrival, or the stamp mapped to our clock"});
+    list.push_back({prefix + "latency_s", &input.latency_s, Range::any,
+                    "how much later the stamp is than the moment it speaks of; may be negative"});
+}
+
+void add_calibration(std::vector<Field>& list, const std::string& name, CalibrationParams& c, Range range) {
+    const std::string prefix = "calibration." + name + ".";
+    list.push_back({prefix + "initial", &c.initial, range, "value at the start"});
+    list.push_back({prefix + "sigma", &c.sigma, Range::not_negative, "of the initial value; 0 freezes it"});
+    list.push_back({prefix + "walk", &c.walk, Range::not_negative,
+                    "random walk: per root second (gyro_bias), metre (distance_scale), radian (rotation_scale)"});
+}
+
+void add_sensor(std::vector<Field>& list, const std::string& name, InputParams& input, MarkerSensorParams& s) {
+    const std::string prefix = "sensors." + name + ".";
+    add_input(list, prefix, input);
+    list.push_back({prefix + "x_m", &s.x_m, Range::any, "mounting, forward of the mid-axis"});
+    list.push_back({prefix + "y_m", &s.y_m, Range::any, "mounting, left of the mid-axis"});
+    list.push_back({prefix + "z_m", &s.z_m, Range::any, "mounting, above the ground"});
+    list.push_back({prefix + "yaw_rad", &s.yaw_rad, Range::any, "mounting, left positive"});
+    list.push_back({prefix + "sigma_bearing_rad", &s.sigma_bearing_rad, Range::positive, "noise of a bearing"});
+    list.push_back({prefix + "sigma_elevation_rad", &s.sigma_elevation_rad, Range::positive,
+                    "noise of an elevation"});
+    list.push_back({prefix + "sigma_range_m", &s.sigma_range_m, Range::positive, "noise of a range"});
+    list.push_back({prefix + "sigma_range_per_m", &s.sigma_range_per_m, Range::not_negative,
+                    "noise of a range, times the range, added in quadrature"});
+    list.push_back({prefix + "range_scale", &s.range_scale, Range::positive, "reported over true range"});
+    list.push_back({prefix + "range_offset_m", &s.range_offset_m, Range::any, "reported at range zero"});
+    list.push_back({prefix + "min_distance_m", &s.min_distance_m, Range::positive,
+                    "nearer markers are rejected as too_close"});
+    list.push_back({prefix + "fusion", choice(s.fusion, {"plain", "gate", "student_t"}), Range::any,
+                    "full weight, rejection above the gate, or a weight that falls with the NIS"});
+    list.push_back({prefix + "gate_false_reject", &s.gate_false_reject, Range::probability,
+                    "how often the gate may reject a good sighting"});
+    list.push_back({prefix + "student_t_dof", &s.student_t_dof, Range::positive,
+                    "nu of the Student-t weight, smaller is more sceptical"});
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+        }
+    }
+    return row[b.size()];
+}
+
+const char* expectation(Range range) {
+    switch (range) {
+        case Range::positive: return "a number above 0";
+        case Range::not_negative: return "a number of 0 or more";
+        case Range::not_zero: return "a number other than 0";
+        case Range::probability: return "a number between 0 and 1";
+        default: return "a finite number";
+    }
+}
+
+bool inside(double v, Range range) {
+    if (!std::isfinite(v)) return false;
+    switch (range) {
+        case Range::positive: return v > 0;
+        case Range::not_negative: return v >= 0;
+        case Range::not_zero: return v != 0;
+        case Range::probability: return v > 0 && v < 1;
+        default: return true;
+    }
+}
+
+/// The shortest text that reads back as the same number.
+std::string shortest(double v) {
+    char buffer[32];
+    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, v).ptr};
+}
+
+template <typename Number>
+bool parse(const std::string& text, Number& number) {
+    const char* first = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
+    const char* last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(first, last, number);
+    return error == std::errc{} && end == last && first != last;
+}
+
+[[noreturn]] void fail(const std::string& where, const std::string& what) {
+    throw ConfigError(where + ": " + what);
+}
+
+}  // namespace
+
+int Config::sensor(std::string_view name) {
+    const auto at = std::find(sensor_names.begin(), sensor_names.end(), name);
+    if (at != sensor_names.end()) return static_cast<int>(at - sensor_names.begin());
+    if (params.sensor_count == Params::kMaxSensors)
+        throw ConfigError("sensors." + std::string(name) + ": there can be at most " +
+                          std::to_string(Params::kMaxSensors) + " sensors");
+    sensor_names.emplace_back(name);
+    sensor_inputs.push_back({"MARKERS"});
+    return params.sensor_count++;
+}
+
+std::vector<Field> fields(Config& c) {
+    std::vector<Field> list;
+    const auto add = [&](const char* key, auto value, Range range, const char* meaning) {
+        list.push_back({key, value, range, meaning});
+    };
+    Params& p = c.params;
+    add("map", &c.map_file, Range::any, "marker map file, relative to this file; or the list itself");
+    add("motion.source", choice(p.motion.source, {"encoders", "velocity"}), Range::any,
+        "which message carries the motion");
+    add("motion.heading", choice(p.motion.heading, {"gyro", "wheels", "both"}), Range::any,
+        "where the change of heading comes from; both: their inverse-variance mean");
+    add("motion.slip_angle_rad", &p.motion.slip_angle_rad, Range::any,
+        "direction of travel relative to the heading");
+    add("motion.max_gap_s", &p.motion.max_gap_s, Range::positive, "a rate holds for no longer than this");
+    add_input(list, "encoders.", c.encoders);
+    add("encoders.left_m_per_tick", &p.wheels.left_m_per_tick, Range::not_zero,
+        "negative where the encoder counts down when driving forward");
+    add("encoders.right_m_per_tick", &p.wheels.right_m_per_tick, Range::not_zero, "likewise");
+    add("encoders.track_width_m", &p.wheels.track_width_m, Range::positive, "between the wheels' contact points");
+    add("encoders.max_speed_m_s", &p.wheels.max_speed_m_s, Range::positive,
+        "motion that implies more is a counter's wrap or reset, or implausible");
+    add_input(list, "velocity.", c.velocity);
+    add_input(list, "gyro.", c.gyro);
+    add_input(list, "pose_reset.", c.reset);
+    add("noise.wheel_m_per_sqrt_m", &p.noise.wheel_m_per_sqrt_m, Range::not_negative, "travel of each wheel");
+    add("noise.gyro_rad_per_sqrt_s", &p.noise.gyro_rad_per_sqrt_s, Range::not_negative,
+        "angle random walk of the gyro, or of a velocity message's omega");
+    add("noise.position_m_per_sqrt_m", &p.noise.position_m_per_sqrt_m, Range::not_negative,
+        "process noise of x and y per distance");
+    add("noise.position_m_per_sqrt_s", &p.noise.position_m_per_sqrt_s, Range::not_negative,
+        "process noise of x and y per time");
+    add("noise.heading_rad_per_sqrt_m", &p.noise.heading_rad_per_sqrt_m, Range::not_negative,
+        "process noise of the heading per distance");
+    add("noise.heading_rad_per_sqrt_rad", &p.noise.heading_rad_per_sqrt_rad, Range::not_negative,
+        "process noise of the heading per turn");
+    add("noise.heading_rad_per_sqrt_s", &p.noise.heading_rad_per_sqrt_s, Range::not_negative,
+        "process noise of the heading per time");
+    add_calibration(list, "gyro_bias", p.gyro_bias, Range::any);
+    add_calibration(list, "distance_scale", p.distance_scale, Range::positive);
+    add_calibration(list, "rotation_scale", p.rotation_scale, Range::positive);
+    for (int i = 0; i < p.sensor_count; ++i)
+        add_sensor(list, c.sensor_names[static_cast<std::size_t>(i)],
+                   c.sensor_inputs[static_cast<std::size_t>(i)], p.sensors[static_cast<std::size_t>(i)]);
+    add("initial.x_m", &p.initial.x_m, Range::unset_or_any, "start; without it a pose_reset_t is awaited");
+    add("initial.y_m", &p.initial.y_m, Range::unset_or_any, "start");
+    add("initial.heading_rad", &p.initial.heading_rad, Range::unset_or_any, "start");
+    add("initial.sigma_position_m", &p.initial.sigma_position_m, Range::not_negative, "of x and of y");
+    add("initial.sigma_heading_rad", &p.initial.sigma_heading_rad, Range::not_negative, "of the heading");
+    add("status.alert_limit_m", &p.status.alert_limit_m, Range::positive,
+        "OK promises a 95 % radius below this");
+    add("status.dead_reckoning_after_s", &p.status.dead_reckoning_after_s, Range::positive,
+        "without an accepted sighting for this long, OK ends");
+    add("history.window_s", &p.history.window_s, Range::not_negative, "later samples are rejected");
+    add("history.capacity", &p.history.capacity, Range::positive, "samples held at most");
+    add("output.pose", &c.output.pose, Range::any, "LCM channel of pose_t");
+    add("output.report", &c.output.report, Range::any, "LCM channel of marker_report_t");
+    add("output.status", &c.output.status, Range::any, "LCM channel of status_t");
+    return list;
+}
+
+Field field(Config& config, const std::string& key, const std::string& where) {
+    const std::string sensors = "sensors.";
+    if (key.compare(0, sensors.size(), sensors) == 0)
+        if (const auto dot = key.find('.', sensors.size()); dot != std::string::npos)
+            config.sensor(std::string_view(key).substr(sensors.size(), dot - sensors.size()));
+    std::vector<Field> list = fields(config);
+    const auto nearest = std::min_element(list.begin(), list.end(), [&](const Field& a, const Field& b) {
+        return edit_distance(a.key, key) < edit_distance(b.key, key);
+    });
+    if (nearest->key == key) return *nearest;
+    fail(where, "unknown key '" + key + "'; the nearest known key is '" + nearest->key + "'");
+}
+
+std::string Field::text() const {
+    if (const auto* number = std::get_if<double*>(&value)) return shortest(**number);
+    if (const auto* integer = std::get_if<int*>(&value)) return std::to_string(**integer);
+    if (const auto* string = std::get_if<std::string*>(&value)) return **string;
+    const auto& choice = std::get<Choice>(value);
+    return choice.names[*choice.value];
+}
+
+bool Field::unset() const {
+    const auto* number = std::get_if<double*>(&value);
+    return number != nullptr && std::isnan(**number);
+}
+
+void Field::set(const std::string& text, const std::string& where) const {
+    const auto refuse = [&](const std::string& expected) {
+        fail(where, key + " is '" + text + "', expected " + expected);
+    };
+    if (const auto* number = std::get_if<double*>(&value)) {
+        double v = 0;
+        if (!parse(text, v) || !inside(v, range)) refuse(expectation(range));
+        **number = v;
+    } else if (const auto* integer = std::get_if<int*>(&value)) {
+        int v = 0;
+        if (!parse(text, v) || v < 1 || v > 1'000'000) refuse("a whole number from 1 to 1000000");
+        **integer = v;
+    } else if (const auto* string = std::get_if<std::string*>(&value)) {
+        if (text.empty()) refuse("a name");
+        **string = text;
+    } else {
+        const auto& choice = std::get<Choice>(value);
+        const auto at = std::find(choice.names.begin(), choice.names.end(), text);
+        if (at == choice.names.end()) {
+            std::string names;
+            for (const std::string& name : choice.names) names += (names.empty() ? "" : ", ") + name;
+            refuse("one of " + names);
+        }
+        *choice.value = static_cast<unsigned char>(at - choice.names.begin());
+    }
+}
+
+void check(const Config& config, const std::string& where) {
+    const InitialParams& start = config.params.initial;
+    const int given = !std::isnan(start.x_m) + !std::isnan(start.y_m) + !std::isnan(start.heading_rad);
+    if (given != 0 && given != 3)
+        fail(where, "initial needs x_m, y_m and heading_rad together, or none of them");
+    for (std::size_t i = 0; i < config.sensor_inputs.size(); ++i)
+        for (const InputParams* other : {&config.encoders, &config.velocity, &config.gyro, &config.reset})
+            if (config.sensor_inputs[i].channel == other->channel)
+                fail(where, "sensors." + config.sensor_names[i] + ".channel '" + other->channel +
+                                "' is another input's channel as well");
+}
+
+}  // namespace pilotage

@@ -1,0 +1,69 @@
+#pragma once
+/// \file
+/// Moves the estimate by what wheels and gyro measured.
+
+#include "pilotage/filter/ekf.hpp"
+#include "pilotage/motion/calibrated.hpp"
+#include "pilotage/motion/increment.hpp"
+#include "pilotage/motion/unicycle.hpp"
+#include "pilotage/params.hpp"
+
+namespace pilotage {
+
+/// Start of the filter at a pose: calibration at its configured initial values.
+/// \param pose_covariance of (x, y, heading)
+template <typename Scalar, int N>
+[[nodiscard]] Ekf<Scalar, N> start_filter(const Pose<Scalar>& pose, const Matrix<Scalar, 3>& pose_covariance,
+                                          const Params& params) noexcept {
+    Vector<Scalar, N> x;
+    Matrix<Scalar, N> p = Matrix<Scalar, N>::Zero();
+    x.template head<3>() = pose;
+    p.template topLeftCorner<3, 3>() = pose_covariance;
+    if constexpr (N == kCalibratedStates) {
+        int i = kGyroBias;
+        for (const CalibrationParams* c : {&params.gyro_bias, &params.distance_scale, &params.rotation_scale}) {
+            x[i] = Scalar(c->initial);
+            p(i, i) = Scalar(c->sigma * c->sigma);
+            ++i;
+        }
+    }
+    return Ekf<Scalar, N>(x, p);
+}
+
+/// (distance [m], turn [rad]) of an increment after calibration, by the state or, frozen, by the configuration.
+template <typename Scalar, int N>
+[[nodiscard]] Vector<Scalar, 2> calibrated_motion(const Vector<Scalar, N>& x, const Increment<Scalar>& u,
+                                                  const Params& params) noexcept {
+    Vector<Scalar, 3> c(Scalar(params.gyro_bias.initial), Scalar(params.distance_scale.initial),
+                        Scalar(params.rotation_scale.initial));
+    if constexpr (N == kCalibratedStates) c = x.template tail<3>();
+    return {c[1] * u.distance_m, c[2] * (u.turn_rad - c[0] * u.dt_s * u.gyro_share)};
+}
+
+/// Exact arcs, so that a step which is cut at a sighting ends where the whole step ends.
+template <typename Scalar>
+using RobotMotion = Unicycle<Scalar, Chord::arc>;
+
+/// Time update by an increment as measured, with the calibration of the state.
+template <typename Scalar>
+void dead_reckon(Ekf<Scalar, kCalibratedStates>& filter, const Increment<Scalar>& u,
+                 const Params& params) noexcept {
+    const Calibrated<RobotMotion<Scalar>, Scalar> model{{Scalar(params.motion.slip_angle_rad)},
+                                                        u.dt_s * u.gyro_share};
+    Vector<Scalar, 6> q;
+    q << pose_process_noise(u, params.noise), calibration_process_noise(u, params);
+    filter.predict(model, Vector<Scalar, 2>(u.distance_m, u.turn_rad), u.covariance, q);
+}
+
+/// Time update by an increment as measured, with the configured, frozen calibration.
+template <typename Scalar>
+void dead_reckon(Ekf<Scalar, kPoseStates>& filter, const Increment<Scalar>& u, const Params& params) noexcept {
+    const Vector<Scalar, 2> scale(Scalar(params.distance_scale.initial), Scalar(params.rotation_scale.initial));
+    Matrix<Scalar, 2> gamma;
+    for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) gamma(i, j) = scale[i] * u.covariance(i, j) * scale[j];
+    filter.predict(RobotMotion<Scalar>{Scalar(params.motion.slip_angle_rad)},
+                   calibrated_motion(filter.state(), u, params), gamma, pose_process_noise(u, params.noise));
+}
+
+}  // namespace pilotage

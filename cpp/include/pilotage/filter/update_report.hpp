@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// What an update did, in full: nothing is rejected silently.
+
+#include "pilotage/state.hpp"
+
+namespace pilotage {
+
+/// Why the filter did not take an update.
+enum class UpdateFault : unsigned char {
+    none,
+    gated,      ///< NIS above the gate
+    undefined,  ///< the model has no prediction here (a marker at the sensor's own position)
+    numeric,    ///< S not positive definite, or the result not finite and positive semi-definite
+};
+
+template <typename Scalar, int M>
+struct UpdateReport {
+    Vector<Scalar, M> innovation = Vector<Scalar, M>::Zero();  ///< minus(z, h(x))
+    Matrix<Scalar, M> s = Matrix<Scalar, M>::Zero();           ///< H P H' + R
+    Scalar nis = 0;                                            ///< innovation' S^-1 innovation
+    Scalar weight = 0;                                         ///< robust weight, 0 when not taken
+    UpdateFault fault = UpdateFault::none;
+
+    [[nodiscard]] bool accepted() const noexcept { return fault == UpdateFault::none; }
+};
+
+}  // namespace pilotage

@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// Angle to a marker above the horizontal plane through the sensor, up positive.
+
+#include "pilotage/sensing/line_of_sight.hpp"
+
+namespace pilotage {
+
+/// Eq. 24 of Kiriy and Buehler 2002 for a marker on the ground (dz = -mu), and the second row of eq. 25 with
+/// the signs that follow from eq. 24 (they are printed the other way round).
+template <typename Scalar>
+struct Elevation {
+    static constexpr ComponentIndex kIndex = kElevation;
+    static constexpr bool kWraps = false;
+
+    [[nodiscard]] Prediction<Scalar> predict(const LineOfSight<Scalar>& sight) const noexcept {
+        using std::atan2;
+        const Scalar slant_squared = sight.ground_squared + sight.dz * sight.dz;
+        const Scalar factor = sight.dz / (sight.ground * slant_squared);
+        return {atan2(sight.dz, sight.ground), sight.dx * factor, sight.dy * factor, Scalar(0)};
+    }
+};
+
+}  // namespace pilotage

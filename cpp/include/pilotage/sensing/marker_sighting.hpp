@@ -1,0 +1,70 @@
+#pragma once
+/// \file
+/// What one marker shows at once: any list of components (bearing, elevation, range) as one measurement.
+///
+/// A component is a value with `predict(LineOfSight)` and `kWraps`; a new one is a header like bearing.hpp.
+
+#include <tuple>
+#include <utility>
+
+#include "pilotage/angle.hpp"
+#include "pilotage/sensing/line_of_sight.hpp"
+
+namespace pilotage {
+
+/// h(x) with its Jacobian by the leading states.
+template <typename Scalar, int M, int States>
+struct Measurement {
+    Vector<Scalar, M> value;
+    Matrix<Scalar, M, States> jacobian;
+    bool defined = true;
+};
+
+/// Components measured together from a sensor pose; runnable example: tests/cpp/sensing/test_marker_sighting.cpp.
+template <typename Scalar, typename... Components>
+struct MarkerSighting {
+    static constexpr int kStates = kPoseStates;
+    static constexpr int kComponents = sizeof...(Components);
+    using Values = Vector<Scalar, kComponents>;
+
+    Vector<Scalar, 3> marker_above_sensor;  ///< m: x and y in frame map, z above the sensor
+    std::tuple<Components...> components{};
+    Scalar min_ground_m = Scalar(1e-6);  ///< nearer than this the marker has no usable direction
+
+    /// Not defined nearer than min_ground_m.
+    [[nodiscard]] Measurement<Scalar, kComponents, kStates> linearize(
+        const Pose<Scalar>& sensor) const noexcept {
+        const LineOfSight<Scalar> sight(sensor, marker_above_sensor);
+        Measurement<Scalar, kComponents, kStates> h;
+        h.defined = sight.ground >= min_ground_m;
+        fill(h, sight, std::make_index_sequence<sizeof...(Components)>{});
+        return h;
+    }
+
+    /// Measured less predicted; bearings wrap here.
+    [[nodiscard]] Values minus(const Values& z, const Values& predicted) const noexcept {
+        constexpr bool wraps[] = {Components::kWraps...};
+        Values difference = z - predicted;
+        for (int i = 0; i < kComponents; ++i)
+            if (wraps[i]) difference[i] = wrap(difference[i]);
+        return difference;
+    }
+
+   private:
+    template <std::size_t... I>
+    void fill(Measurement<Scalar, kComponents, kStates>& h, const LineOfSight<Scalar>& sight,
+              std::index_sequence<I...>) const noexcept {
+        (fill_row<static_cast<int>(I)>(h, std::get<I>(components).predict(sight)), ...);
+    }
+
+    template <int kRow>
+    static void fill_row(Measurement<Scalar, kComponents, kStates>& h,
+                         const Prediction<Scalar>& p) noexcept {
+        h.value[kRow] = p.value;
+        h.jacobian(kRow, kX) = p.by_x;
+        h.jacobian(kRow, kY) = p.by_y;
+        h.jacobian(kRow, kHeading) = p.by_heading;
+    }
+};
+
+}  // namespace pilotage

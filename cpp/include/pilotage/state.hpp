@@ -1,0 +1,51 @@
+#pragma once
+/// \file
+/// The state: pose in frame map, then the calibration states. Its own plus and minus wrap the heading;
+/// with each measurement model's minus they are the only places where an angle wraps.
+
+#include <Eigen/Core>
+
+#include "pilotage/angle.hpp"
+
+namespace pilotage {
+
+template <typename Scalar, int Size>
+using Vector = Eigen::Matrix<Scalar, Size, 1>;
+
+template <typename Scalar, int Rows, int Cols = Rows>
+using Matrix = Eigen::Matrix<Scalar, Rows, Cols>;
+
+/// Pose: x [m], y [m], heading [rad].
+template <typename Scalar>
+using Pose = Vector<Scalar, 3>;
+
+/// Places in the state vector.
+enum StateIndex : int {
+    kX = 0,              ///< m, frame map
+    kY = 1,              ///< m, frame map
+    kHeading = 2,        ///< rad, counter-clockwise from +x
+    kGyroBias = 3,       ///< rad/s, subtracted from the measured rate
+    kDistanceScale = 4,  ///< true distance over measured distance
+    kRotationScale = 5,  ///< true turn over measured turn
+};
+
+inline constexpr int kPoseStates = 3;
+inline constexpr int kCalibratedStates = 6;
+
+/// x + dx.
+template <typename Scalar, int N>
+[[nodiscard]] Vector<Scalar, N> plus(Vector<Scalar, N> x, const Vector<Scalar, N>& dx) noexcept {
+    x += dx;
+    x[kHeading] = wrap(x[kHeading]);
+    return x;
+}
+
+/// The dx with plus(b, dx) = a.
+template <typename Scalar, int N>
+[[nodiscard]] Vector<Scalar, N> minus(Vector<Scalar, N> a, const Vector<Scalar, N>& b) noexcept {
+    a -= b;
+    a[kHeading] = wrap(a[kHeading]);
+    return a;
+}
+
+}  // namespace pilotage

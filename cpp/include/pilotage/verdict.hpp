@@ -1,0 +1,66 @@
+#pragma once
+/// \file
+/// What became of a sample, and of a sighting in full.
+
+#include <cstdint>
+
+namespace pilotage {
+
+enum class Verdict : std::uint8_t {
+    pending,  ///< waits for the motion around it
+    fused,
+    // Rejected, by reason:
+    bad_value,        ///< not finite, nothing measured, or a sigma that is not positive
+    implausible,      ///< faster than the robot can be
+    not_initialized,  ///< there is no pose to fuse it with yet
+    before_motion,    ///< older than the first motion sample
+    late,             ///< older than the history window
+    duplicate,        ///< the same sample is there already
+    no_motion,        ///< no motion sample came while it could wait
+    counter_reset,    ///< encoder counts jumped; the motion of this step is unknown
+    unknown_marker,   ///< no such id in the map
+    too_close,        ///< the marker has no usable direction
+    gate,             ///< NIS above the gate
+    numeric,          ///< the update would not have been finite and positive semi-definite
+};
+inline constexpr int kVerdicts = static_cast<int>(Verdict::numeric) + 1;
+
+[[nodiscard]] constexpr bool rejected(Verdict v) noexcept { return v > Verdict::fused; }
+
+/// Word for reports, statistics and logs.
+[[nodiscard]] constexpr const char* name(Verdict v) noexcept {
+    constexpr const char* names[kVerdicts] = {
+        "pending",   "fused",         "bad_value",      "implausible", "not_initialized",
+        "before_motion", "late",      "duplicate",      "no_motion",   "counter_reset",
+        "unknown_marker", "too_close", "gate",          "numeric"};
+    return names[static_cast<int>(v)];
+}
+
+/// Unit of the value and the limit that decided.
+[[nodiscard]] constexpr const char* unit(Verdict v) noexcept {
+    switch (v) {
+        case Verdict::late: return "s";
+        case Verdict::too_close: return "m";
+        default: return "";
+    }
+}
+
+/// A sighting's full story. Components in the order bearing [rad], elevation [rad], range [m]; NaN where
+/// not measured or not computed.
+struct SightingReport {
+    std::int64_t utime;      ///< us, time of capture
+    std::int32_t frame_seq;
+    std::int32_t revision;   ///< counts up each time the sighting is fused again
+    std::int32_t id;         ///< of the marker it was held against
+    std::uint16_t index;     ///< position in its frame
+    std::uint8_t sensor;
+    Verdict verdict;
+    std::int32_t dof;        ///< number of measured components
+    double innovation[3];    ///< measured less predicted
+    double sigma[3];         ///< square root of the diagonal of S
+    double nis;
+    double weight;           ///< robust weight in [0, 1]
+    double value, limit;     ///< what decided a rejection, NaN where nothing is compared
+};
+
+}  // namespace pilotage

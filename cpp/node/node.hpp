@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// The engine on LCM: receives, publishes, ticks and records.
+
+#include <csignal>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "engine/engine.hpp"
+#include "engine/event_log.hpp"
+
+struct _lcm_t;
+struct _lcm_recv_buf_t;
+
+namespace pilotage {
+
+class Node final : private EngineOutput {
+   public:
+    /// Subscribes to the inputs. \param lcm outlives the node
+    /// \throws std::runtime_error if the recording cannot be opened
+    Node(const Config& config, _lcm_t* lcm, const std::string& record);
+    Node(const Node&) = delete;
+    Node& operator=(const Node&) = delete;
+
+    /// Handles messages until `stop` is set. \return false if LCM failed
+    bool run(const volatile std::sig_atomic_t& stop);
+
+   private:
+    void message(const std::string& channel, const std::uint8_t* data, std::size_t size) override;
+    void notice(const std::string& text) override;
+
+    static void received(const _lcm_recv_buf_t* buffer, const char* channel, void* self);
+    void tick(std::int64_t now);
+    void say_what_is_missing();
+    void record(std::int64_t received, std::string_view channel, const std::uint8_t* data, std::size_t size);
+    template <typename Message>
+    void record(std::int64_t received, std::string_view channel, const Message& message);
+
+    _lcm_t* lcm_;
+    Engine engine_;
+    std::unique_ptr<LogWriter> log_;
+    std::int64_t received_ = 0;
+    std::int32_t ticks_ = 0;
+    std::string missing_ = "?";
+};
+
+}  // namespace pilotage

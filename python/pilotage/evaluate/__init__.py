@@ -1,0 +1,40 @@
+"""How good an estimate is: errors against truth, consistency, metrics.
+
+This package imports numpy only, so that a replay starts quickly; nothing here prints.
+"""
+
+from .angles import wrap_angle
+from .consistency import ellipse_scale, mahalanobis_squared, mean_square_band, sigma_probability
+from .errors import PoseErrors, pose_errors
+from .metrics import Counts, Heading, Metrics, Nees, Nis, Position, compute_metrics
+from .run import MapLike, RunLike
+from .table import Row, table_rows
+from .trajectory import TRAJECTORY, read_csv, read_trajectory, read_tum
+from .truth import MAX_GAP_S, interpolate
+
+__all__ = [
+    "MAX_GAP_S",
+    "TRAJECTORY",
+    "Counts",
+    "Heading",
+    "MapLike",
+    "Metrics",
+    "Nees",
+    "Nis",
+    "PoseErrors",
+    "Position",
+    "Row",
+    "RunLike",
+    "compute_metrics",
+    "ellipse_scale",
+    "interpolate",
+    "mahalanobis_squared",
+    "mean_square_band",
+    "pose_errors",
+    "read_csv",
+    "read_trajectory",
+    "read_tum",
+    "sigma_probability",
+    "table_rows",
+    "wrap_angle",
+]

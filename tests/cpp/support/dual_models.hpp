@@ -1,0 +1,73 @@
+#pragma once
+/// \file
+/// The same model over another scalar. A new model or component adds its line here.
+
+#include <tuple>
+
+#include "pilotage/motion/calibrated.hpp"
+#include "pilotage/motion/differential_drive.hpp"
+#include "pilotage/motion/unicycle.hpp"
+#include "pilotage/sensing/bearing.hpp"
+#include "pilotage/sensing/elevation.hpp"
+#include "pilotage/sensing/marker_sighting.hpp"
+#include "pilotage/sensing/mounted.hpp"
+#include "pilotage/sensing/range.hpp"
+
+namespace pilotage::test {
+
+template <typename To, typename From, Chord kChord>
+Unicycle<To, kChord> with_scalar(const Unicycle<From, kChord>& model) {
+    return {To(model.slip_angle_rad)};
+}
+
+template <typename To, typename From>
+DifferentialDrive<To> with_scalar(const DifferentialDrive<From>& model) {
+    return {To(model.track_width_m)};
+}
+
+template <typename To, typename From>
+GyroDrive<To> with_scalar(const GyroDrive<From>&) {
+    return {};
+}
+
+template <typename To, typename Model, typename From>
+auto with_scalar(const Calibrated<Model, From>& calibrated) {
+    const auto model = with_scalar<To>(calibrated.model);
+    return Calibrated<std::remove_const_t<decltype(model)>, To>{model, To(calibrated.gyro_time_s)};
+}
+
+template <typename To, typename From>
+Bearing<To> with_scalar(const Bearing<From>&) {
+    return {};
+}
+
+template <typename To, typename From>
+Elevation<To> with_scalar(const Elevation<From>&) {
+    return {};
+}
+
+template <typename To, typename From>
+Range<To> with_scalar(const Range<From>& range) {
+    return {To(range.scale), To(range.offset_m)};
+}
+
+template <typename To, typename From, typename... Components>
+auto with_scalar(const MarkerSighting<From, Components...>& sighting) {
+    const Vector<To, 3> marker = sighting.marker_above_sensor.template cast<To>();
+    return std::apply(
+        [&](const auto&... component) {
+            return MarkerSighting<To, decltype(with_scalar<To>(component))...>{
+                marker, {with_scalar<To>(component)...}, To(sighting.min_ground_m)};
+        },
+        sighting.components);
+}
+
+template <typename To, typename Model, typename From>
+auto with_scalar(const Mounted<Model, From>& mounted) {
+    const auto model = with_scalar<To>(mounted.model);
+    const PlanarMounting<From>& at = mounted.mounting;
+    return Mounted<std::remove_const_t<decltype(model)>, To>{
+        model, {To(at.x_m), To(at.y_m), To(at.yaw_rad)}};
+}
+
+}  // namespace pilotage::test

@@ -1,0 +1,3 @@
+#include <pilotage/engine/engine.hpp>
+
+int main() { return 0; }

@@ -1,0 +1,14 @@
+"""The type stub of the extension is the one that its code gives."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+COMMITTED = Path(__file__).parents[2] / "python" / "pilotage" / "_core.pyi"
+
+
+def test_the_stub_is_up_to_date(tmp_path):
+    stubgen = [sys.executable, "-m", "pybind11_stubgen", "pilotage._core", "-o", str(tmp_path)]
+    subprocess.run(stubgen, check=True)
+    generated = (tmp_path / "pilotage" / "_core.pyi").read_text()
+    assert generated == COMMITTED.read_text(), "write it anew: make stubs"
