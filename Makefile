@@ -48,8 +48,8 @@ test: test-cpp test-python
 test-cpp: $(VENV)/.made
 	@tools/prepare-machine tests
 	$(IN_VENV) cmake --preset $(PRESET) -G Ninja
-	$(IN_VENV) cmake --build build/cpp -j $(JOBS)
-	$(IN_VENV) ctest --test-dir build/cpp --output-on-failure -j $(JOBS)
+	$(IN_VENV) cmake --build --preset $(PRESET) -j $(JOBS)
+	$(IN_VENV) ctest --preset $(PRESET) -j $(JOBS)
 
 test-python: $(VENV)/.tools
 	$(IN_VENV) python -m pytest $(PYTEST)
@@ -81,14 +81,14 @@ wheel: $(VENV)/.made
 bench: $(VENV)/.installed
 	$(IN_VENV) $(PIP) install -q --no-build-isolation '.[bench]'
 	$(IN_VENV) cmake --preset bench -G Ninja
-	$(IN_VENV) cmake --build build/bench -j $(JOBS)
+	$(IN_VENV) cmake --build --preset bench -j $(JOBS)
 	$(IN_VENV) python bench/run.py
 
 sanitize: $(VENV)/.made
 	@tools/prepare-machine tests
 	$(IN_VENV) cmake --preset sanitize -G Ninja
-	$(IN_VENV) cmake --build build/sanitize -j $(JOBS)
-	$(IN_VENV) ctest --test-dir build/sanitize --output-on-failure -j $(JOBS)
+	$(IN_VENV) cmake --build --preset sanitize -j $(JOBS)
+	$(IN_VENV) ctest --preset sanitize -j $(JOBS)
 
 clean:
 	rm -rf build dist $(VENV)

@@ -77,8 +77,11 @@ py::class_<Ekf<double, N>> bind_ekf(py::module_& m, const char* class_name, cons
     using Filter = Ekf<double, N>;
     py::class_<Filter> c(m, class_name, doc);
     c.def(py::init<const Vector<double, N>&, const Matrix<double, N>&>(), py::arg("x"), py::arg("p"))
-        .def_property_readonly("state", &Filter::state, "(n,) float")
-        .def_property_readonly("covariance", &Filter::covariance, "(n, n) float")
+        // By value: a view would change under the caller's feet with the next step.
+        .def_property_readonly("state", [](const Filter& f) { return Vector<double, N>(f.state()); },
+                               "(n,) float, a copy")
+        .def_property_readonly("covariance", [](const Filter& f) { return Matrix<double, N>(f.covariance()); },
+                               "(n, n) float, a copy")
         .def("update", &update<N>, py::arg("model"), py::arg("z"), py::arg("r"), py::arg("policy") = Policy{},
              "Measurement update, eqs. 10, 11 and 28 of Kiriy and Buehler 2002 (Joseph form), linearised at the "
              "state as it stands. Nothing changes unless the report says accepted.")

@@ -46,7 +46,8 @@ class PyLocalizer {
     PyLocalizer(const PyLocalizer&) = delete;
     PyLocalizer& operator=(const PyLocalizer&) = delete;
 
-    py::array_t<Run::PoseRow> run(const Streams& s, int sensor) {
+    // Untyped, since a signature cannot name the rows' fields.
+    py::array run(const Streams& s, int sensor) {
         const py::ssize_t n = s.motion_utime.size(), g = s.gyro_utime.size(), k = s.sighting_utime.size();
         expect_length(s.motion_utime, n, "motion_utime");
         expect_shape(s.motion, n, 2, "motion");

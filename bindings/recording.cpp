@@ -185,7 +185,7 @@ stamp unless `received` is given. Call `sort` once everything is added.
         R"(Columns (from 0) of a text table of numbers, as (rows, len(columns)) float.
 
 Separators are blanks, tabs and commas; empty lines and lines that begin with # or % are passed over.
-RuntimeError names file and line of a ragged row or of a word that is no number.
+ValueError names file and line of a ragged row or of a word that is no number.
 )");
 }
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
@@ -44,11 +45,18 @@ struct TimedRun {
 };
 
 template <typename Source>
-std::unique_ptr<TimedRun> replay(const Config& config, const Source& source, bool keep_messages) {
+std::unique_ptr<TimedRun> replay(const Config& config, const Source& source, bool keep_messages,
+                                 const std::optional<py::function>& progress) {
+    Run::Progress report;
+    if (progress)
+        report = [&](double done) {
+            const py::gil_scoped_acquire acquire;
+            (*progress)(done);
+        };
     const py::gil_scoped_release release;
     auto result = std::make_unique<TimedRun>(config, keep_messages);
     const auto start = std::chrono::steady_clock::now();
-    result->run.replay(source);
+    result->run.replay(source, report);
     result->wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
@@ -176,10 +184,19 @@ void bind_run(py::module_& m) {
              py::arg("path"), "TUM trajectory: time [s] x y z qx qy qz qw.")
         .def("write_reports_csv", [](const TimedRun& t, const std::string& p) { t.run.write_reports_csv(p); },
              py::arg("path"));
-    m.def("replay", &replay<Recording>, py::arg("config"), py::arg("recording"), py::arg("keep_messages") = false,
-          "Feeds a recording to an engine, in the order and with the times in which its messages arrived.");
-    m.def("replay", &replay<std::string>, py::arg("config"), py::arg("path"), py::arg("keep_messages") = false,
-          "The same from an LCM log file, without holding it in memory.");
+    const auto keep = py::arg("keep_messages") = false;
+    const auto progress = py::arg("progress") = py::none();
+    m.def("replay", &replay<Recording>, py::arg("config"), py::arg("recording"), keep, progress,
+          R"(Feeds a recording to an engine, in the order and with the times in which its messages arrived.
+
+Parameters
+----------
+config : Config
+recording : Recording, or the path of an LCM log file, which is then not held in memory
+keep_messages : keep what was published, as `Run.published`
+progress : called now and then with the part that is done, 0 to 1
+)");
+    m.def("replay", &replay<std::string>, py::arg("config"), py::arg("path"), keep, progress);
     py::class_<PyEngine>(m, "Engine", "Bytes in, messages out, one message a call.")
         .def(py::init<const Config&>(), py::arg("config"))
         .def("handle", &PyEngine::handle, py::arg("channel"), py::arg("received"), py::arg("data"),

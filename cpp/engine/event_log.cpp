@@ -59,6 +59,10 @@ bool LogReader::next(LogEvent& event) {
     }
 }
 
+double LogReader::done() const noexcept {
+    return size_ == 0 ? 1.0 : static_cast<double>(std::ftell(log_->f)) / static_cast<double>(size_);
+}
+
 LogWriter::LogWriter(const std::string& path) : path_(path), log_(open(path, "w")) {}
 
 LogWriter::~LogWriter() { lcm_eventlog_destroy(log_); }

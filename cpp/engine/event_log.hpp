@@ -33,6 +33,9 @@ class LogReader {
     /// False at the end.
     bool next(LogEvent& event);
 
+    /// The part of the file that is read, from 0 to 1.
+    [[nodiscard]] double done() const noexcept;
+
     /// A line for each damaged place so far.
     [[nodiscard]] const std::vector<std::string>& damage() const noexcept { return damage_; }
 

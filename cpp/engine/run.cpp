@@ -17,19 +17,29 @@ void Run::handle(const LogEvent& event) {
     engine_.handle(event.channel, event.received, event.data, event.size);
 }
 
-void Run::replay(const Recording& recording) {
+void Run::replay(const Recording& recording, const Progress& progress) {
     poses_.reserve(recording.size() / 2);
-    for (std::size_t i = 0; i < recording.size(); ++i) handle(recording[i]);
-    engine_.finish();
-    damage_.insert(damage_.end(), recording.damage().begin(), recording.damage().end());
+    for (std::size_t i = 0; i < recording.size(); ++i) {
+        handle(recording[i]);
+        if (progress && i % kProgressEvery == 0)
+            progress(static_cast<double>(i) / static_cast<double>(recording.size()));
+    }
+    finish(recording.damage());
 }
 
-void Run::replay(const std::string& path) {
+void Run::replay(const std::string& path, const Progress& progress) {
     LogReader reader(path);
     LogEvent event;
-    while (reader.next(event)) handle(event);
+    while (reader.next(event)) {
+        handle(event);
+        if (progress && messages_ % kProgressEvery == 0) progress(reader.done());
+    }
+    finish(reader.damage());
+}
+
+void Run::finish(const std::vector<std::string>& damage) {
     engine_.finish();
-    damage_.insert(damage_.end(), reader.damage().begin(), reader.damage().end());
+    damage_.insert(damage_.end(), damage.begin(), damage.end());
 }
 
 void Run::message(const std::string& channel, const std::uint8_t* data, std::size_t size) {

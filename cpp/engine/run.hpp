@@ -2,6 +2,7 @@
 /// \file
 /// A whole recording through an engine, with everything that came out.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,13 @@ class Run final : private EngineOutput {
     /// \param keep_messages keep the published messages as well, as a recording
     explicit Run(Config config, bool keep_messages = false);
 
+    /// Hears, now and then, which part of the input is done.
+    using Progress = std::function<void(double)>;
+
     /// Feeds a recording to its end.
-    void replay(const Recording& recording);
+    void replay(const Recording& recording, const Progress& progress = {});
     /// Reads and feeds a log file without holding it in memory. \throws std::runtime_error
-    void replay(const std::string& path);
+    void replay(const std::string& path, const Progress& progress = {});
 
     struct PoseRow {
         std::int64_t utime;
@@ -46,7 +50,10 @@ class Run final : private EngineOutput {
     void write_reports_csv(const std::string& path) const;
 
    private:
+    static constexpr int kProgressEvery = 1 << 16;  // messages
+
     void handle(const LogEvent& event);
+    void finish(const std::vector<std::string>& damage);
     void message(const std::string& channel, const std::uint8_t* data, std::size_t size) override;
     void pose(const Estimate& e) override;
     void sighting(const SightingReport& report) override;

@@ -76,7 +76,7 @@ std::vector<double> read_table(const std::string& path, const std::vector<int>& 
     std::vector<double> rows, fields;
     std::size_t line_number = 0, width = 0;
     const auto complain = [&](const std::string& what) {
-        throw std::runtime_error(path + ":" + std::to_string(line_number) + ": " + what);
+        throw std::invalid_argument(path + ":" + std::to_string(line_number) + ": " + what);
     };
     for (std::size_t begin = 0; begin < text.size();) {
         std::size_t end = text.find('\n', begin);

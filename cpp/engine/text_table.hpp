@@ -39,7 +39,8 @@ class TextTable {
 /// Columns of a table of numbers separated by blanks, tabs or commas; lines that are empty or begin with # or
 /// % are passed over. Columns count from 0.
 /// \return row-major, columns.size() numbers a row
-/// \throws std::runtime_error naming file and line where a row is ragged or a field is no number
+/// \throws std::invalid_argument naming file and line where a row is ragged or a field is no number,
+/// std::runtime_error if the file cannot be read
 [[nodiscard]] std::vector<double> read_table(const std::string& path, const std::vector<int>& columns);
 
 }  // namespace pilotage

@@ -56,8 +56,8 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    # lcm-gen names types by their LCM package, which is `pilotage`: what it generates looks here for
-    # nested types, and so may a user who writes `from pilotage import pose_t`.
+    # lcm-gen names types by their LCM package, which is `pilotage`: what it generates looks here
+    # for nested types, and so may a user who writes `from pilotage import pose_t`.
     if name.endswith("_t"):
         from . import lcmtypes
 

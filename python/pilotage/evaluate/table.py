@@ -41,7 +41,7 @@ def table_rows(metrics: Metrics) -> list[Row]:
         rows.append(Row(f"NIS of {sensor}, mean{expected}", mean, ""))
 
     counts = metrics.counts
-    rows.append(Row("motion samples", f"{counts.samples}", ""))
+    rows.append(Row("measured components", f"{counts.samples}", ""))
     rows.append(Row("measured components accepted", f"{counts.accepted}", ""))
     rows += [Row(f"rejected: {reason}", f"{n}", "") for reason, n in counts.rejected.items()]
     rows.append(Row("duration", f"{metrics.duration_s:.1f}", "s"))

@@ -50,8 +50,9 @@ def trajectory(
     """`TRAJECTORY` rows, heading wrapped; a row with a value that is not finite is left out."""
     rows = np.empty(utime.size, dtype=TRAJECTORY)
     rows["utime"], rows["x"], rows["y"], rows["heading"] = utime, x, y, wrap_angle(heading)
-    known = np.isfinite(rows["x"]) & np.isfinite(rows["y"]) & np.isfinite(rows["heading"])
-    return rows[known]
+    finite = np.isfinite(rows["x"]) & np.isfinite(rows["y"]) & np.isfinite(rows["heading"])
+    known: NDArray[Any] = rows[finite]
+    return known
 
 
 def ground_map(

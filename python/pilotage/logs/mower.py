@@ -4,6 +4,7 @@ E. Kiriy and M. Buehler, "Three-state Extended Kalman Filter for Mobile Robot Lo
 the columns are those of the listing in its appendix.
 """
 
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -33,15 +34,38 @@ def recognises(path: Path) -> bool:
     return path.is_dir() and any(path.glob("*poselog*.txt"))
 
 
-def read(folder: Path) -> Log:
-    """Encoders and gyro at every row of the pose log, sightings by the sensor ``camera``.
+@dataclass(frozen=True)
+class Triple:
+    """The three files as they are: n rows of the pose log, k sightings, m markers.
 
-    The wheels' travels become absolute ticks of `TICK_M`. Stamps are kept as they are, jitter and
-    repetitions included. Ids count from 0, in the angles as in the map.
+    Attributes
+    ----------
+    time : (n,) float, s
+    motion : (n, 3) float
+        Left and right wheel travel since the previous row [m], gyro rate [rad/s].
+    truth : (n, 3) float
+        x, y [m], heading [rad] as it accumulates.
+    sighting_time : (k,) float, s
+    sighting_id : (k,) int
+    sighting : (k, 2) float
+        Azimuth and elevation [rad].
+    marker_id : (m,) int
+    marker_position : (m, 2) float, m
     """
-    poselog, angles, markers = (
-        _the_file(folder, pattern) for pattern in ("*poselog*.txt", "*angles*.txt", "*map*.txt")
-    )
+
+    time: NDArray[np.float64]
+    motion: NDArray[np.float64]
+    truth: NDArray[np.float64]
+    sighting_time: NDArray[np.float64]
+    sighting_id: NDArray[np.int32]
+    sighting: NDArray[np.float64]
+    marker_id: NDArray[np.int32]
+    marker_position: NDArray[np.float64]
+
+
+def read_triple(folder: Path) -> Triple:
+    """Read the files without converting anything."""
+    poselog, angles, markers = _the_files(folder)
     row = read_columns(
         poselog, {"time": 2, "left": 3, "right": 4, "gyro": 8, "x": 18, "y": 19, "heading": 20}
     )
@@ -49,31 +73,57 @@ def read(folder: Path) -> Log:
         raise ValueError(f"{poselog}: holds no rows")
     seen = read_columns(angles, {"time": 0, "id": 1, "azimuth": 2, "elevation": 3})
     marker = read_columns(markers, {"id": 0, "x": 1, "y": 2})
+    return Triple(
+        time=row["time"],
+        motion=np.column_stack([row["left"], row["right"], row["gyro"]]),
+        truth=np.column_stack([row["x"], row["y"], row["heading"]]),
+        sighting_time=seen["time"],
+        sighting_id=whole_numbers(seen["id"], angles, "marker id"),
+        sighting=np.column_stack([seen["azimuth"], seen["elevation"]]),
+        marker_id=whole_numbers(marker["id"], markers, "marker id"),
+        marker_position=np.column_stack([marker["x"], marker["y"]]),
+    )
 
+
+def read(folder: Path) -> Log:
+    """Encoders and gyro at every row of the pose log, sightings by the sensor ``camera``.
+
+    The wheels' travels become absolute ticks of `TICK_M`. Stamps are kept as they are, jitter and
+    repetitions included. Ids count from 0, in the angles as in the map.
+    """
+    poselog, angles, markers = _the_files(folder)
+    triple = read_triple(folder)
     recording = Recording()
-    utime = microseconds(row["time"], poselog)
-    recording.add_gyro("GYRO", utime, row["gyro"])
-    left, right = (_ticks(row[side], poselog, f"{side} wheel travel") for side in ("left", "right"))
-    recording.add_encoders("ENCODERS", utime, left, right)
-    sighted = microseconds(seen["time"], angles)
+    utime = microseconds(triple.time, poselog)
+    left, right, rate = triple.motion.T
+    recording.add_gyro("GYRO", utime, rate)
+    recording.add_encoders(
+        "ENCODERS",
+        utime,
+        _ticks(left, poselog, "left wheel travel"),
+        _ticks(right, poselog, "right wheel travel"),
+    )
+    sighted = microseconds(triple.sighting_time, angles)
+    azimuth, elevation = triple.sighting.T
+    not_measured = np.full(sighted.size, np.nan)
     recording.add_sightings(
-        "MARKERS",
-        "camera",
-        sighted,
-        whole_numbers(seen["id"], angles, "marker id"),
-        seen["azimuth"],
-        seen["elevation"],
-        np.full(sighted.size, np.nan),
+        "MARKERS", "camera", sighted, triple.sighting_id, azimuth, elevation, not_measured
     )
     recording.sort()
     return Log(
         kind=KIND,
         recording=recording,
-        truth=trajectory(utime, row["x"], row["y"], row["heading"]),
-        map=ground_map(
-            markers, whole_numbers(marker["id"], markers, "marker id"), marker["x"], marker["y"]
-        ),
+        truth=trajectory(utime, *triple.truth.T),
+        map=ground_map(markers, triple.marker_id, *triple.marker_position.T),
         notes=(*order_notes(poselog, utime), *order_notes(angles, sighted)),
+    )
+
+
+def _the_files(folder: Path) -> tuple[Path, Path, Path]:
+    return (
+        _the_file(folder, "*poselog*.txt"),
+        _the_file(folder, "*angles*.txt"),
+        _the_file(folder, "*map*.txt"),
     )
 
 

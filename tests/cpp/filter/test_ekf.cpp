@@ -2,6 +2,8 @@
 
 #include "pilotage/filter/ekf.hpp"
 
+#include <limits>
+
 #include "support/filters.hpp"
 #include "support/linear_measurement.hpp"
 #include "support/matchers.hpp"
@@ -44,9 +46,9 @@ TYPED_TEST(EkfTest, PredictionIsTheTextbooks) {
     expect_textbook_prediction<TypeParam, 6>();
 }
 
-// Erratum: eqs. 13 and 14 print the Jacobians at the state after the step. Here the robot drives 1
-// m north, the heading turning from north-west to north-east: an uncertain heading made x
-// uncertain, not y.
+// Erratum: eqs. 13 and 14 print the Jacobians at the state after the step. Here the robot drives
+// north while it turns from north-west to north-east: its uncertain heading makes x uncertain, not
+// y.
 TYPED_TEST(EkfTest, PredictionIsLinearisedAtTheStateBeforeTheStep) {
     using S = TypeParam;
     const Vector<S, 3> variances(0, 0, S(0.01));
@@ -114,6 +116,20 @@ TYPED_TEST(EkfTest, NoiselessMeasurementLeavesTheStateAndShrinksTheCovariance) {
     EXPECT_EQ(filter.update(sighting, z, r, Policy{}).nis, 0);
     EXPECT_EQ(filter.state(), before.state());
     for (int i = 0; i < 6; ++i) EXPECT_LT(filter.covariance()(i, i), before.covariance()(i, i));
+}
+
+// What the Joseph form is for: 1 - K loses all its digits, the covariance does not.
+TYPED_TEST(EkfTest, PreciseMeasurementLeavesItsOwnVariance) {
+    using S = TypeParam;
+    const S variance = std::numeric_limits<S>::epsilon() / 1000;
+    Draw draw(4);
+    for (int i = 0; i < 100; ++i) {
+        auto filter = random_filter<S, 3>(draw);
+        const LinearMeasurement<S, 1, 3> position{Matrix<S, 1, 3>(1, 0, 0)};
+        const Vector<S, 1> z(filter.state()[kX]);
+        ASSERT_TRUE(filter.update(position, z, Matrix<S, 1>(variance), Policy{}).accepted());
+        EXPECT_NEAR(filter.covariance()(kX, kX) / variance, 1, 0.01);
+    }
 }
 
 TYPED_TEST(EkfTest, UpdateAcrossTheWrapTurnsTheShortWay) {

@@ -35,7 +35,8 @@ struct Scene {
     Draw draw{7};
     Ekf<Scalar, N> filter = random_filter<Scalar, N>(draw);
     BearingElevationRange<Scalar> sighting{marker_in_sight(draw, filter)};
-    Vector<Scalar, 3> z = sighting.linearize(filter.state().template head<3>()).value;
+    Vector<Scalar, 3> z = sighting.linearize(filter.state().template head<3>()).value +
+                          Vector<Scalar, 3>::Constant(Scalar(0.01));
     Matrix<Scalar, 3> r = Matrix<Scalar, 3>::Identity() * Scalar(0.01);
 
     void expect_refused_as(UpdateFault reason) const {

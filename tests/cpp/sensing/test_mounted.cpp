@@ -30,13 +30,15 @@ TYPED_TEST(MountedTest, SensorAtTheOriginOfTheRobotIsTheSensorAlone) {
     EXPECT_EQ(mounted.jacobian, bare.jacobian);
 }
 
-// A robot at (10, 20) that looks north, a camera 2 m ahead and 1 m to the left: it is at (9, 22).
+// A robot at (10, 20) that looks along (3, 4), a camera 5 m ahead and 10 m to the left: at (5, 30).
 TYPED_TEST(MountedTest, OffsetsPointForwardAndLeft) {
-    const Camera<TypeParam> camera{{{9, 25, 4}}, mounting<TypeParam>(2, 1, 0)};
-    const auto h = camera.linearize({10, 20, kPi<TypeParam> / 2});
+    const TypeParam heading = std::atan2(TypeParam(4), TypeParam(3));
+    const Camera<TypeParam> camera{{{8, 34, 12}}, mounting<TypeParam>(5, 10, 0)};
+    const auto h =
+        camera.linearize({10, 20, heading});  // the marker is straight ahead of the camera
     EXPECT_NEAR(h.value[0], 0, 10 * kTight<TypeParam>);
-    EXPECT_NEAR(h.value[1], std::atan2(4, 3), 10 * kTight<TypeParam>);
-    EXPECT_NEAR(h.value[2], 5, 10 * kTight<TypeParam>);
+    EXPECT_NEAR(h.value[1], std::atan2(12, 5), 10 * kTight<TypeParam>);
+    EXPECT_NEAR(h.value[2], 13, 10 * kTight<TypeParam>);
 }
 
 TYPED_TEST(MountedTest, CameraTurnedLeftSeesTheMarkerFurtherRight) {

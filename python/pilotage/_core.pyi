@@ -1,0 +1,549 @@
+"""
+Pilotage's C++ core and engine.
+"""
+from __future__ import annotations
+import collections.abc
+import numpy
+import numpy.typing
+import typing
+__all__: list[str] = ['ArcUnicycle', 'CalibratedArc', 'Config', 'ConfigError', 'DifferentialDrive', 'Ekf3', 'Ekf6', 'Engine', 'GyroDrive', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'Policy', 'Recording', 'Run', 'UpdateReport', 'load_config', 'read_table', 'replay']
+class MarkerMap:
+    """
+    The surveyed markers, sorted by id.
+    """
+    @staticmethod
+    def load(path: str) -> MarkerMap:
+        """
+        Reads a YAML list of {id, x, y, z, sigma}; ValueError names file, line and value.
+        """
+    def __init__(self, ids: typing.Annotated[numpy.typing.ArrayLike, numpy.int32], positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], sigmas: typing.Any = 0.0) -> None:
+        """
+        Parameters
+        ----------
+        ids : (n,) int, 0 or more, each once
+        positions : (n, 3) float, x, y in frame map and z above the ground [m]
+        sigmas : float or (n,) float, standard deviation of the survey in x and in y [m]
+        
+        Raises
+        ------
+        ValueError
+            If the map is empty, an id comes twice or a number is not finite.
+        """
+    def __len__(self) -> int:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def save(self, path: str) -> None:
+        """
+        Writes the YAML list that `load` reads.
+        """
+    @property
+    def ids(self) -> numpy.typing.NDArray[numpy.int32]:
+        """
+        (n,) int32
+        """
+    @property
+    def positions(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (n, 3) float [m]
+        """
+    @property
+    def sigmas(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (n,) float [m]
+        """
+class ConfigError(ValueError):
+    """
+    A configuration or map that cannot be used; names file, line, key, value and what was expected.
+    """
+class Config:
+    """
+    All that a run needs besides its input.
+    
+    Keys are dotted, as in the file: ``config["sensors.camera.sigma_bearing_rad"] = 0.02``. Speaking of a
+    sensor that is not there adds it. `describe` lists every key with its value and meaning.
+    """
+    @staticmethod
+    def parse(yaml: str) -> Config:
+        """
+        Reads YAML text; raises ConfigError.
+        """
+    def __getitem__(self, key: str) -> typing.Any:
+        """
+        Raises KeyError naming the nearest known key.
+        """
+    @typing.overload
+    def __init__(self) -> None:
+        ...
+    @typing.overload
+    def __init__(self, other: Config) -> None:
+        """
+        A copy.
+        """
+    def __setitem__(self, key: str, value: typing.Any) -> None:
+        """
+        Raises KeyError naming the nearest known key, ConfigError for an impossible value.
+        """
+    def check(self) -> None:
+        """
+        Raises ConfigError if the parts do not fit together.
+        """
+    def describe(self) -> list[tuple[str, str, str]]:
+        """
+        (key, value, meaning) of every key.
+        """
+    def to_yaml(self) -> str:
+        """
+        Every key with its value, and the map.
+        """
+    @property
+    def map(self) -> MarkerMap:
+        """
+        The MarkerMap.
+        """
+    @map.setter
+    def map(self, arg0: MarkerMap) -> None:
+        ...
+    @property
+    def sensors(self) -> list[str]:
+        """
+        Names of the marker sensors.
+        """
+class Recording:
+    """
+    LCM messages in the order of their arrival, as a log file holds them.
+    
+    The `add_*` methods encode whole arrays. Stamps are integer microseconds; the time of arrival is the
+    stamp unless `received` is given. Call `sort` once everything is added.
+    """
+    @staticmethod
+    def load(path: str) -> Recording:
+        """
+        Reads an LCM log file, over damaged places; see `damage`.
+        """
+    def __getitem__(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> tuple[int, str, bytes]:
+        """
+        (received, channel, data) of a message.
+        """
+    def __init__(self) -> None:
+        ...
+    def __len__(self) -> int:
+        ...
+    def add(self, received: typing.SupportsInt | typing.SupportsIndex, channel: str, data: bytes) -> None:
+        """
+        Any one encoded message.
+        """
+    def add_encoders(self, channel: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], left: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], right: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None) -> None:
+        """
+        encoders_t: (n,) int64 absolute ticks.
+        """
+    def add_gyro(self, channel: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], rate: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None) -> None:
+        """
+        gyro_t: (n,) mean yaw rate since the previous sample [rad/s].
+        """
+    def add_reference(self, channel: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], y: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], heading: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None) -> None:
+        """
+        reference_t: (n,) truth [m, m, rad].
+        """
+    def add_sightings(self, channel: str, sensor: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], id: typing.Annotated[numpy.typing.ArrayLike, numpy.int32], bearing: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], elevation: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], range: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None) -> None:
+        """
+        marker_frame_t: (n,) each, NaN where not measured [rad, rad, m]; rows of equal utime that follow each other make one frame.
+        """
+    def add_velocity(self, channel: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], v: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], omega: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None) -> None:
+        """
+        velocity_t: (n,) means since the previous sample [m/s, rad/s].
+        """
+    def reference(self) -> numpy.typing.NDArray[...]:
+        """
+        All reference_t in it: structured array of utime, x, y, heading.
+        """
+    def save(self, path: str) -> None:
+        """
+        Writes an LCM log file.
+        """
+    def sort(self) -> None:
+        """
+        By time of arrival; equal times stay in the order of adding.
+        """
+    @property
+    def damage(self) -> list[str]:
+        """
+        A line for each damaged place of the file.
+        """
+class MidpointUnicycle:
+    """
+    u = (distance [m], turn [rad]), driven along the mid heading.
+    
+    Eqs. 16 to 18 of Kiriy and Buehler 2002.
+    """
+    def __init__(self, slip_angle_rad: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 2]"]]:
+        """
+        f(x, u) and its Jacobians.
+        
+        Returns
+        -------
+        next : (n,) float, the state after the motion
+        a : (n, n) float, by the state
+        b : (3, m) float, the pose by the input
+        """
+class ArcUnicycle:
+    """
+    u = (distance [m], turn [rad]), driven along the exact arc.
+    """
+    def __init__(self, slip_angle_rad: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 2]"]]:
+        """
+        f(x, u) and its Jacobians.
+        
+        Returns
+        -------
+        next : (n,) float, the state after the motion
+        a : (n, n) float, by the state
+        b : (3, m) float, the pose by the input
+        """
+class DifferentialDrive:
+    """
+    u = (left travel [m], right travel [m]), heading from the wheels.
+    
+    Eqs. 16 to 22 of Kiriy and Buehler 2002.
+    """
+    def __init__(self, track_width_m: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 2]"]]:
+        """
+        f(x, u) and its Jacobians.
+        
+        Returns
+        -------
+        next : (n,) float, the state after the motion
+        a : (n, n) float, by the state
+        b : (3, m) float, the pose by the input
+        """
+class GyroDrive:
+    """
+    u = (left travel [m], right travel [m], turn by the gyro [rad]).
+    
+    Eqs. 16 to 19 of Kiriy and Buehler 2002; its B replaces eq. 22, which holds only where the heading comes
+    from the wheels.
+    """
+    def __init__(self) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]]:
+        """
+        f(x, u) and its Jacobians.
+        
+        Returns
+        -------
+        next : (n,) float, the state after the motion
+        a : (n, n) float, by the state
+        b : (3, m) float, the pose by the input
+        """
+class CalibratedArc:
+    """
+    ArcUnicycle behind the calibration states gyro bias [rad/s], distance scale and
+    rotation scale (six states); u = (distance [m], turn [rad]) as measured.
+    """
+    def __init__(self, gyro_time_s: typing.SupportsFloat | typing.SupportsIndex, slip_angle_rad: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 6]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 2]"]]:
+        """
+        f(x, u) and its Jacobians.
+        
+        Returns
+        -------
+        next : (n,) float, the state after the motion
+        a : (n, n) float, by the state
+        b : (3, m) float, the pose by the input
+        """
+class MarkerModel:
+    """
+    What a mounted sensor measures of one marker.
+    """
+    def __init__(self, marker: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], components: collections.abc.Sequence[str], mounting: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[4, 1]"] = ..., range_scale: typing.SupportsFloat | typing.SupportsIndex = 1.0, range_offset_m: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        Parameters
+        ----------
+        marker : (3,) float, x, y in frame map, z above the ground [m]
+        components : some of "bearing" [rad], "elevation" [rad], "range" [m], in this order
+        mounting : (4,) float, the sensor's x, y, z [m] and yaw [rad] in the robot frame
+        range_scale, range_offset_m : reported = scale * true + offset
+        """
+    def linearize(self, pose: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
+        """
+        h(x) and its Jacobian: eqs. 23 to 25 of Kiriy and Buehler 2002 (25 with its signs corrected).
+        
+        Returns
+        -------
+        value : (m,) float
+        jacobian : (m, 3) float, by (x, y, heading)
+        defined : bool, False at the marker itself
+        """
+    def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Measured less predicted, (m,) each; bearings wrap.
+        """
+class Policy:
+    """
+    How an innovation decides about its own update.
+    """
+    @staticmethod
+    def gate(false_reject: typing.SupportsFloat | typing.SupportsIndex) -> Policy:
+        """
+        Rejects an innovation whose NIS is above the chi-square quantile.
+        """
+    @staticmethod
+    def student_t(dof: typing.SupportsFloat | typing.SupportsIndex = 4.0) -> Policy:
+        """
+        Weights by (nu + d) / (nu + NIS), at most 1.
+        """
+    def __init__(self) -> None:
+        """
+        Every finite innovation is fused with full weight.
+        """
+    def gate_nis(self, dof: typing.SupportsInt | typing.SupportsIndex) -> float:
+        """
+        The limit on the NIS for 1, 2 or 3 degrees of freedom.
+        """
+class UpdateReport:
+    """
+    What an update did.
+    """
+    @property
+    def accepted(self) -> bool:
+        ...
+    @property
+    def fault(self) -> str:
+        """
+        '', 'gated', 'undefined' or 'numeric'
+        """
+    @property
+    def innovation(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        (m,) float, measured less predicted
+        """
+    @property
+    def nis(self) -> float:
+        """
+        normalised innovation squared
+        """
+    @property
+    def s(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+        """
+        (m, m) float, H P H' + R
+        """
+    @property
+    def weight(self) -> float:
+        """
+        robust weight, 0 when not taken
+        """
+class Ekf3:
+    """
+    The first paper's filter: x, y [m], heading [rad].
+    
+    ``predict(model, u, gamma, q)`` is the time update, eqs. 8 and 9: u the model's input, gamma its
+    covariance, q (3,) the variances added to the states.
+    """
+    def __init__(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"]) -> None:
+        ...
+    def correct(self, innovation: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], h: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        The update with innovation (m,) and h (m, 3) given, so that they may be taken at another point.
+        """
+    @typing.overload
+    def predict(self, model: MidpointUnicycle, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 2]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        ...
+    @typing.overload
+    def predict(self, model: ArcUnicycle, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 2]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        ...
+    @typing.overload
+    def predict(self, model: DifferentialDrive, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 2]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        ...
+    @typing.overload
+    def predict(self, model: GyroDrive, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        ...
+    def propagate(self, next: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], a: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"], b: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 2]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 2]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        """
+        The time update with next (3,), a (3, 3) and b (3, 2) given, so that they may be taken at another point.
+        """
+    def update(self, model: MarkerModel, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        Measurement update, eqs. 10, 11 and 28 of Kiriy and Buehler 2002 (Joseph form), linearised at the state as it stands. Nothing changes unless the report says accepted.
+        """
+    @property
+    def covariance(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]:
+        """
+        (n, n) float, a copy
+        """
+    @property
+    def state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (n,) float, a copy
+        """
+class Ekf6:
+    """
+    The filter with calibration: x, y [m], heading [rad], gyro bias [rad/s], distance scale, rotation scale.
+    """
+    def __init__(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"], p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 6]"]) -> None:
+        ...
+    def correct(self, innovation: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], h: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        The update with innovation (m,) and h (m, 3) given, so that they may be taken at another point.
+        """
+    def predict(self, model: CalibratedArc, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 2]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"]) -> None:
+        ...
+    def update(self, model: MarkerModel, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        Measurement update, eqs. 10, 11 and 28 of Kiriy and Buehler 2002 (Joseph form), linearised at the state as it stands. Nothing changes unless the report says accepted.
+        """
+    @property
+    def covariance(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 6]"]:
+        """
+        (n, n) float, a copy
+        """
+    @property
+    def state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 1]"]:
+        """
+        (n,) float, a copy
+        """
+class Run:
+    """
+    A recording that went through the engine, with all that came out.
+    """
+    def write_poses_csv(self, path: str) -> None:
+        ...
+    def write_poses_tum(self, path: str) -> None:
+        """
+        TUM trajectory: time [s] x y z qx qy qz qw.
+        """
+    def write_reports_csv(self, path: str) -> None:
+        ...
+    @property
+    def counts(self) -> dict:
+        """
+        messages that went in, and of measured components: samples = accepted + sum of rejected by reason.
+        """
+    @property
+    def damage(self) -> list[str]:
+        """
+        Damaged places of the log file.
+        """
+    @property
+    def inputs(self) -> list:
+        """
+        Per input: name, channel, received, counts by verdict.
+        """
+    @property
+    def messages(self) -> int:
+        """
+        Number of messages that went in.
+        """
+    @property
+    def notices(self) -> list[str]:
+        ...
+    @property
+    def poses(self) -> numpy.typing.NDArray[...]:
+        """
+        Structured array, one row a published pose: utime, x, y, heading, covariance (3, 3), v, omega, status, resets.
+        """
+    @property
+    def published(self) -> Recording:
+        """
+        Recording of the published messages, if they were kept.
+        """
+    @property
+    def reasons(self) -> list[str]:
+        ...
+    @property
+    def reports(self) -> numpy.typing.NDArray[...]:
+        """
+        Structured array, one row a sighting with its newest revision: utime, sensor (into `sensors`), frame_seq, index, id, revision, innovation (3,), sigma (3,), nis, dof, weight, accepted, reason (into `reasons`), value, limit. Components are bearing [rad], elevation [rad], range [m].
+        """
+    @property
+    def sensors(self) -> list[str]:
+        ...
+    @property
+    def waiting_for(self) -> str:
+        """
+        What the localizer lacked to the end; empty if nothing.
+        """
+    @property
+    def wall_s(self) -> float:
+        """
+        Time that the replay took [s].
+        """
+class Engine:
+    """
+    Bytes in, messages out, one message a call.
+    """
+    def __init__(self, config: Config) -> None:
+        ...
+    def handle(self, channel: str, received: typing.SupportsInt | typing.SupportsIndex, data: bytes) -> list[tuple[str, bytes]]:
+        """
+        Takes an encoded message with its time of arrival [us]; the (channel, data) to publish.
+        """
+    def tick(self, now: typing.SupportsInt | typing.SupportsIndex, drops: typing.SupportsInt | typing.SupportsIndex = 0) -> list[tuple[str, bytes]]:
+        """
+        Time passes [us]; the status message to publish.
+        """
+    @property
+    def notices(self) -> list[str]:
+        ...
+    @property
+    def waiting_for(self) -> str:
+        ...
+class Localizer:
+    """
+    The localizer itself, without messages and channels.
+    
+    Takes whole recordings held as arrays, in one call, with the GIL released. The configuration's map and at
+    least one sensor must be set; times are taken as they are (no time policy, no latency).
+    """
+    def __init__(self, config: Config) -> None:
+        ...
+    def run(self, motion_utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], motion: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], gyro_utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] = ..., gyro_rate: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., sighting_utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] = ..., sighting_id: typing.Annotated[numpy.typing.ArrayLike, numpy.int32] = ..., sighting: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., sensor: typing.SupportsInt | typing.SupportsIndex = 0) -> numpy.ndarray:
+        """
+        Feeds samples in the order of their times.
+        
+        Parameters
+        ----------
+        motion_utime : (n,) int, us, not decreasing
+        motion : (n, 2) float, absolute ticks (left, right), or (v [m/s], omega [rad/s]) by `motion.source`
+        gyro_utime, gyro_rate : (g,) int us and float [rad/s], mean since the previous sample
+        sighting_utime, sighting_id : (k,) int us and marker ids
+        sighting : (k, 3) float, bearing [rad], elevation [rad], range [m]; NaN where not measured
+        sensor : number of the sensor in the configuration
+        
+        Returns
+        -------
+        Structured array like `Run.poses`, one row a motion sample.
+        """
+def load_config(path: str) -> Config:
+    """
+    Reads a configuration file and the map that it names; raises ConfigError naming file and line.
+    """
+def read_table(path: str, columns: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex]) -> numpy.ndarray:
+    """
+    Columns (from 0) of a text table of numbers, as (rows, len(columns)) float.
+    
+    Separators are blanks, tabs and commas; empty lines and lines that begin with # or % are passed over.
+    ValueError names file and line of a ragged row or of a word that is no number.
+    """
+@typing.overload
+def replay(config: Config, recording: Recording, keep_messages: bool = False, progress: collections.abc.Callable | None = None) -> Run:
+    """
+    Feeds a recording to an engine, in the order and with the times in which its messages arrived.
+    
+    Parameters
+    ----------
+    config : Config
+    recording : Recording, or the path of an LCM log file, which is then not held in memory
+    keep_messages : keep what was published, as `Run.published`
+    progress : called now and then with the part that is done, 0 to 1
+    """
+@typing.overload
+def replay(config: Config, path: str, keep_messages: bool = False, progress: collections.abc.Callable | None = None) -> Run:
+    ...
+__version__: str = '0.1.0'

@@ -1,0 +1,1 @@
+"""The command `pilotage`: each file parses, calls and prints; what it does stands elsewhere."""

@@ -1,0 +1,42 @@
+"""What commands share on the screen."""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from time import monotonic
+
+from ..evaluate import Row
+
+PATIENCE_S = 2.0
+"""What takes longer than this shows a progress bar."""
+
+
+@contextmanager
+def progress_bar(what: str) -> Iterator[Callable[[float], None]]:
+    """Give a function that takes the part done, 0 to 1; the bar appears after a while."""
+    bar = None
+    start = monotonic()
+
+    def update(done: float) -> None:
+        nonlocal bar
+        if bar is None and monotonic() - start > PATIENCE_S:
+            from rich.progress import Progress
+
+            bar = Progress(transient=True)
+            bar.add_task(what, total=1.0)
+            bar.start()
+        if bar is not None:
+            bar.update(bar.task_ids[0], completed=done)
+
+    try:
+        yield update
+    finally:
+        if bar is not None:
+            bar.stop()
+
+
+def print_rows(title: str, rows: Sequence[Row]) -> None:
+    """Print a table of label, value and unit."""
+    width = max((len(row.label) for row in rows), default=0)
+    print(title)
+    for row in rows:
+        print(f"  {row.label:<{width}}  {row.value:>10}  {row.unit}".rstrip())

@@ -1,0 +1,40 @@
+"""The list of commands."""
+
+import sys
+
+import typer
+
+from . import replay, study
+
+app = typer.Typer(
+    help="Localizes ground robots on surveyed markers, with dead reckoning in between.",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode="rich",
+    pretty_exceptions_enable=False,
+)
+
+
+@app.callback(invoke_without_command=True)
+def _options(
+    version: bool = typer.Option(False, "--version", help="Print the version."),
+) -> None:
+    if version:
+        from .. import __version__
+
+        print(f"pilotage {__version__}")
+        raise typer.Exit
+
+
+app.command()(replay.replay)
+app.add_typer(study.app, name="study")
+
+
+def main() -> None:
+    """Run the command line; what a user can mend is said in a line, not in a traceback."""
+    try:
+        app()
+    except (ValueError, KeyError, OSError, RuntimeError) as error:
+        text = error.args[0] if isinstance(error, KeyError) else error
+        print(f"pilotage: {text}", file=sys.stderr)
+        sys.exit(2)

@@ -1,0 +1,1 @@
+"""The published systems behind this project, one file a study."""
