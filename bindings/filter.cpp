@@ -82,11 +82,11 @@ py::class_<Ekf<double, N>> bind_ekf(py::module_& m, const char* class_name, cons
                                "(n,) float, a copy")
         .def_property_readonly("covariance", [](const Filter& f) { return Matrix<double, N>(f.covariance()); },
                                "(n, n) float, a copy")
-        .def("update", &update<N>, py::arg("model"), py::arg("z"), py::arg("r"), py::arg("policy") = Policy{},
+        .def("update", &update<N>, py::arg("model"), py::arg("z"), py::arg("r"), py::arg_v("policy", Policy{}, "Policy()"),
              "Measurement update, eqs. 10, 11 and 28 of Kiriy and Buehler 2002 (Joseph form), linearised at the "
              "state as it stands. Nothing changes unless the report says accepted.")
         .def("correct", &correct_any<N>, py::arg("innovation"), py::arg("h"), py::arg("r"),
-             py::arg("policy") = Policy{},
+             py::arg_v("policy", Policy{}, "Policy()"),
              "The update with innovation (m,) and h (m, 3) given, so that they may be taken at another point.");
     return c;
 }

@@ -111,7 +111,7 @@ struct ReferenceRow {
     double x, y, heading;
 };
 
-py::array_t<ReferenceRow> reference(const Recording& recording) {
+py::array reference(const Recording& recording) {
     std::vector<ReferenceRow> rows;
     Decoded decoded;
     for (std::size_t i = 0; i < recording.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "engine/run.hpp"
 
 #include <pybind11/stl.h>
+#include <pybind11/typing.h>
 
 #include <algorithm>
 #include <chrono>
@@ -46,7 +47,7 @@ struct TimedRun {
 
 template <typename Source>
 std::unique_ptr<TimedRun> replay(const Config& config, const Source& source, bool keep_messages,
-                                 const std::optional<py::function>& progress) {
+                                 const std::optional<py::typing::Callable<void(double)>>& progress) {
     Run::Progress report;
     if (progress)
         report = [&](double done) {
@@ -61,7 +62,7 @@ std::unique_ptr<TimedRun> replay(const Config& config, const Source& source, boo
     return result;
 }
 
-py::dict counts(const TimedRun& timed) {
+py::typing::Dict<py::str, py::object> counts(const TimedRun& timed) {
     std::map<std::string, int> rejected_by;
     int samples = 0, accepted = 0;
     for (const SightingReport& report : timed.run.final_reports()) {
@@ -69,7 +70,7 @@ py::dict counts(const TimedRun& timed) {
         samples += components;
         (rejected(report.verdict) ? rejected_by[name(report.verdict)] : accepted) += components;
     }
-    py::dict result;
+    py::typing::Dict<py::str, py::object> result;
     result["messages"] = timed.run.messages();
     result["samples"] = samples;
     result["accepted"] = accepted;
@@ -77,8 +78,8 @@ py::dict counts(const TimedRun& timed) {
     return result;
 }
 
-py::list inputs(const TimedRun& timed) {
-    py::list rows;
+py::typing::List<py::typing::Dict<py::str, py::object>> inputs(const TimedRun& timed) {
+    py::typing::List<py::typing::Dict<py::str, py::object>> rows;
     for (const Input& input : timed.run.engine().inputs()) {
         py::dict by_reason;
         for (int v = 0; v < kVerdicts; ++v)
@@ -148,7 +149,7 @@ void bind_run(py::module_& m) {
                          weight, accepted, reason, value, limit);
     py::class_<TimedRun>(m, "Run", "A recording that went through the engine, with all that came out.")
         .def_property_readonly(
-            "poses", [](const TimedRun& t) { return owning_array(t.run.poses()); },
+            "poses", [](const TimedRun& t) { return py::array(owning_array(t.run.poses())); },
             "Structured array, one row a published pose: utime, x, y, heading, covariance (3, 3), v, omega, "
             "status, resets.")
         .def_property_readonly(
@@ -156,7 +157,7 @@ void bind_run(py::module_& m) {
             [](const TimedRun& t) {
                 std::vector<ReportRow> rows;
                 for (const SightingReport& report : t.run.final_reports()) rows.push_back(row_of(report));
-                return owning_array(std::move(rows));
+                return py::array(owning_array(std::move(rows)));
             },
             "Structured array, one row a sighting with its newest revision: utime, sensor (into `sensors`), "
             "frame_seq, index, id, revision, innovation (3,), sigma (3,), nis, dof, weight, accepted, reason "

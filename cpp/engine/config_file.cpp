@@ -167,7 +167,7 @@ std::string to_yaml(const MarkerMap& map) {
 
 std::string to_yaml(const Config& config) {
     Config copy = config;
-    YAML::Node root;
+    YAML::Node root(YAML::NodeType::Map);
     for (const Field& f : fields(copy)) {
         if (f.unset() || f.key == "map") continue;
         YAML::Node node = root;

@@ -153,7 +153,7 @@ class Recording:
         """
         velocity_t: (n,) means since the previous sample [m/s, rad/s].
         """
-    def reference(self) -> numpy.typing.NDArray[...]:
+    def reference(self) -> numpy.ndarray:
         """
         All reference_t in it: structured array of utime, x, y, heading.
         """
@@ -421,7 +421,7 @@ class Run:
     def write_reports_csv(self, path: str) -> None:
         ...
     @property
-    def counts(self) -> dict:
+    def counts(self) -> dict[str, typing.Any]:
         """
         messages that went in, and of measured components: samples = accepted + sum of rejected by reason.
         """
@@ -431,7 +431,7 @@ class Run:
         Damaged places of the log file.
         """
     @property
-    def inputs(self) -> list:
+    def inputs(self) -> list[dict[str, typing.Any]]:
         """
         Per input: name, channel, received, counts by verdict.
         """
@@ -444,7 +444,7 @@ class Run:
     def notices(self) -> list[str]:
         ...
     @property
-    def poses(self) -> numpy.typing.NDArray[...]:
+    def poses(self) -> numpy.ndarray:
         """
         Structured array, one row a published pose: utime, x, y, heading, covariance (3, 3), v, omega, status, resets.
         """
@@ -457,7 +457,7 @@ class Run:
     def reasons(self) -> list[str]:
         ...
     @property
-    def reports(self) -> numpy.typing.NDArray[...]:
+    def reports(self) -> numpy.ndarray:
         """
         Structured array, one row a sighting with its newest revision: utime, sensor (into `sensors`), frame_seq, index, id, revision, innovation (3,), sigma (3,), nis, dof, weight, accepted, reason (into `reasons`), value, limit. Components are bearing [rad], elevation [rad], range [m].
         """
@@ -532,7 +532,7 @@ def read_table(path: str, columns: collections.abc.Sequence[typing.SupportsInt |
     ValueError names file and line of a ragged row or of a word that is no number.
     """
 @typing.overload
-def replay(config: Config, recording: Recording, keep_messages: bool = False, progress: collections.abc.Callable | None = None) -> Run:
+def replay(config: Config, recording: Recording, keep_messages: bool = False, progress: collections.abc.Callable[[float], None] | None = None) -> Run:
     """
     Feeds a recording to an engine, in the order and with the times in which its messages arrived.
     
@@ -544,6 +544,6 @@ def replay(config: Config, recording: Recording, keep_messages: bool = False, pr
     progress : called now and then with the part that is done, 0 to 1
     """
 @typing.overload
-def replay(config: Config, path: str, keep_messages: bool = False, progress: collections.abc.Callable | None = None) -> Run:
+def replay(config: Config, path: str, keep_messages: bool = False, progress: collections.abc.Callable[[float], None] | None = None) -> Run:
     ...
 __version__: str = '0.1.0'
