@@ -1,11 +1,11 @@
 """The printed listing, reproduced through the core."""
 
 import numpy as np
-from support.datasets import dataset
 
 from pilotage.evaluate import wrap_angle
 from pilotage.logs.mower import read_triple
 from pilotage.studies import kiriy_listing
+from support.datasets import dataset
 
 
 def test_the_study_gives_the_listings_numbers(tmp_path):
