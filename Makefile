@@ -4,7 +4,7 @@ PYTHON ?= python3
 PRESET ?= default
 JOBS ?= $(shell nproc)
 VENV := $(CURDIR)/.venv
-PIP := $(VENV)/bin/pip --disable-pip-version-check
+PIP := $(VENV)/bin/python -m pip --disable-pip-version-check
 # Recipes find the virtual environment's cmake, ninja and python3 first.
 IN_VENV := PATH="$(VENV)/bin:$$PATH"
 
@@ -36,7 +36,7 @@ $(VENV)/.installed: $(VENV)/.made $(SOURCES)
 	$(IN_VENV) $(PIP) install -q --no-build-isolation .
 	@touch $@
 
-$(VENV)/.tools: $(VENV)/.installed pyproject.toml
+$(VENV)/.tools: pyproject.toml | $(VENV)/.installed
 	$(IN_VENV) $(PIP) install -q --no-build-isolation '.[test,dev]'
 	@touch $@
 
@@ -46,7 +46,7 @@ demo: $(VENV)/.installed
 test: test-cpp test-python
 
 test-cpp: $(VENV)/.made
-	@tools/prepare-machine tests
+	@PYTHON="$(PYTHON)" tools/prepare-machine tests
 	$(IN_VENV) cmake --preset $(PRESET) -G Ninja
 	$(IN_VENV) cmake --build --preset $(PRESET) -j $(JOBS)
 	$(IN_VENV) ctest --preset $(PRESET) -j $(JOBS)
@@ -85,7 +85,7 @@ bench: $(VENV)/.installed
 	$(IN_VENV) python bench/run.py
 
 sanitize: $(VENV)/.made
-	@tools/prepare-machine tests
+	@PYTHON="$(PYTHON)" tools/prepare-machine tests
 	$(IN_VENV) cmake --preset sanitize -G Ninja
 	$(IN_VENV) cmake --build --preset sanitize -j $(JOBS)
 	$(IN_VENV) ctest --preset sanitize -j $(JOBS)

@@ -1,15 +1,15 @@
 #pragma once
 /// \file
-/// LCM log files, through liblcm's own reader and writer.
+/// LCM log files.
 
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 struct _lcm_eventlog_t;
-struct _lcm_eventlog_event_t;
 
 namespace pilotage {
 
@@ -21,16 +21,14 @@ struct LogEvent {
     std::size_t size = 0;
 };
 
-/// Reads a log to its end, over damaged places, which it counts and names.
+/// Reads a log to its end, over damaged places, which it counts and names. Not liblcm's reader, which ends
+/// in silence at the first of them and allocates for every event.
 class LogReader {
    public:
     /// \throws std::runtime_error if the file cannot be opened
     explicit LogReader(const std::string& path);
-    ~LogReader();
-    LogReader(const LogReader&) = delete;
-    LogReader& operator=(const LogReader&) = delete;
 
-    /// False at the end.
+    /// False at the end. \throws std::runtime_error if the file cannot be read
     bool next(LogEvent& event);
 
     /// The part of the file that is read, from 0 to 1.
@@ -40,10 +38,15 @@ class LogReader {
     [[nodiscard]] const std::vector<std::string>& damage() const noexcept { return damage_; }
 
    private:
+    [[nodiscard]] bool available(std::size_t bytes);
+    [[nodiscard]] std::size_t find_sync(std::size_t from);
+    void skip_to(std::size_t next_event);
+
     std::string path_;
-    _lcm_eventlog_t* log_;
-    _lcm_eventlog_event_t* event_ = nullptr;
-    std::int64_t size_ = 0;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    std::vector<std::uint8_t> window_;    // part of the file from offset_ on
+    std::size_t begin_ = 0, end_ = 0;     // of what is unread in it
+    std::int64_t offset_ = 0, size_ = 0;  // of the window in the file, of the file [bytes]
     std::vector<std::string> damage_;
 };
 

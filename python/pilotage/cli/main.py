@@ -4,7 +4,7 @@ import sys
 
 import typer
 
-from . import replay, study
+from . import config, replay, study
 
 app = typer.Typer(
     help="Localizes ground robots on surveyed markers, with dead reckoning in between.",
@@ -26,6 +26,7 @@ def _options(
         raise typer.Exit
 
 
+app.command()(config.config)
 app.command()(replay.replay)
 app.add_typer(study.app, name="study")
 
