@@ -160,6 +160,16 @@ stamp unless `received` is given. Call `sort` once everything is added.
                     "Reads an LCM log file, over damaged places; see `damage`.")
         .def("reference", &reference, "All reference_t in it: structured array of utime, x, y, heading.")
         .def_property_readonly("damage", &Recording::damage, "A line for each damaged place of the file.")
+        .def(
+            "messages",
+            [](const Recording& r, const std::string& channel) {
+                std::vector<py::bytes> found;
+                for (std::size_t i = 0; i < r.size(); ++i)
+                    if (const LogEvent e = r[i]; e.channel == channel)
+                        found.emplace_back(reinterpret_cast<const char*>(e.data), e.size);
+                return found;
+            },
+            py::arg("channel"), "The encoded messages of a channel, in order.")
         .def("__len__", &Recording::size)
         .def("__getitem__",
              [](const Recording& r, std::size_t i) {

@@ -177,7 +177,7 @@ void bind_run(py::module_& m) {
         .def_property_readonly("waiting_for", [](const TimedRun& t) { return t.run.engine().waiting_for(); },
                                "What the localizer lacked to the end; empty if nothing.")
         .def_property_readonly(
-            "published", [](const TimedRun& t) { return t.run.published(); },
+            "published", [](const TimedRun& t) -> const Recording& { return t.run.published(); },
             "Recording of the published messages, if they were kept.")
         .def("write_poses_csv", [](const TimedRun& t, const std::string& p) { t.run.write_poses_csv(p); },
              py::arg("path"))

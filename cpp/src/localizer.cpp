@@ -9,14 +9,20 @@ namespace {
 constexpr std::int64_t kMicroseconds = 1'000'000;
 constexpr std::int64_t kLastTime = std::int64_t{1} << 60;  // differences of such times fit in 64 bits
 constexpr double kFastestTurn_rad_s = 100;                 // no ground robot turns faster
+constexpr double kFarthest = 1e7;  // m or rad: no pose is farther off, nor is one known so badly
 constexpr double kChiSquare95 = 5.991464547107979;         // of two degrees of freedom
 
-bool finite(const PoseReset& reset) noexcept {
-    for (const double v : reset.pose)
-        if (!std::isfinite(v)) return false;
-    for (const double v : reset.covariance)
-        if (!std::isfinite(v)) return false;
-    return true;
+/// What is wrong with the numbers of a reset; `pending` if nothing. Beyond the limits a covariance would
+/// overflow on its way.
+Verdict examine_numbers(const PoseReset& reset) noexcept {
+    bool finite = true, plausible = true;
+    const auto look = [&](double v, double limit) {
+        finite = finite && std::isfinite(v);
+        plausible = plausible && std::abs(v) <= limit;
+    };
+    for (const double v : reset.pose) look(v, kFarthest);
+    for (const double v : reset.covariance) look(v, kFarthest * kFarthest);
+    return !finite ? Verdict::bad_value : plausible ? Verdict::pending : Verdict::implausible;
 }
 
 Matrix<double, 3> covariance_of(const PoseReset& reset) noexcept {
@@ -90,7 +96,7 @@ Verdict Localizer<Scalar, N>::examine(const Sample& sample) const noexcept {
     const Sample::Payload& payload = sample.payload;
     switch (sample.stream) {
         case Stream::reset: {
-            if (!finite(payload.reset)) return Verdict::bad_value;
+            if (const Verdict v = examine_numbers(payload.reset); v != Verdict::pending) return v;
             const bool covariance =
                 Ldlt<double, 3>(covariance_of(payload.reset), 1e-12).semidefinite();
             return covariance ? Verdict::pending : Verdict::bad_value;
@@ -130,7 +136,7 @@ bool Localizer<Scalar, N>::refuse(const Sample& sample, Verdict verdict, double 
 
 template <typename Scalar, int N>
 bool Localizer<Scalar, N>::insert(const Sample& sample) noexcept {
-    if (history_.full()) forget_front();
+    if (history_.full()) forget_step();
     if (base_.started && sample.utime <= base_.utime)
         return refuse(sample, Verdict::late, seconds_between<double>(sample.utime, newest().utime),
                       seconds_between<double>(base_.utime, newest().utime));
@@ -156,11 +162,18 @@ bool Localizer<Scalar, N>::insert(const Sample& sample) noexcept {
 template <typename Scalar, int N>
 void Localizer<Scalar, N>::forget_before(std::int64_t horizon) noexcept {
     while (history_.size() > 0 && history_[0].sample.utime < horizon) {
-        std::size_t end = 0;
-        while (end < history_.size() && !is_motion(history_[end].sample)) ++end;
+        const std::size_t end = first_motion();
         if (end == history_.size() || history_[end].sample.utime >= horizon) return;
-        for (std::size_t i = 0; i <= end; ++i) forget_front();
+        forget_step();
     }
+}
+
+/// Drops the oldest samples up to a motion sample, where `base_` then stands; where there is none, what
+/// waits longest.
+template <typename Scalar, int N>
+void Localizer<Scalar, N>::forget_step() noexcept {
+    const std::size_t end = first_motion();
+    for (std::size_t left = end == history_.size() ? 1 : end + 1; left > 0; --left) forget_front();
 }
 
 /// Drops the oldest sample; what it brought stays in `base_`.
@@ -236,8 +249,7 @@ template <typename Scalar, int N>
 Increment<Scalar> Localizer<Scalar, N>::measured_motion(Track& track, Node& motion) noexcept {
     const std::int64_t now = motion.sample.utime;
     const MotionParams& params = params_.motion;
-    const bool gyro = params.heading != HeadingSource::wheels && track.gyro.fresh(now, params.max_gap_s);
-    const auto turn_rad = gyro ? Scalar(track.gyro.take(now)) : Scalar(0);
+    const std::optional<double> gyro_turn_rad = track.gyro.take(now, params.max_gap_s);
     Verdict verdict = Verdict::fused;
     Increment<Scalar> u;
     const double dt_s = seconds_between<double>(track.utime, now);
@@ -259,7 +271,8 @@ Increment<Scalar> Localizer<Scalar, N>::measured_motion(Track& track, Node& moti
     settle(motion, verdict);
     if (!track.started) return u;
     u.dt_s = Scalar(dt_s);
-    if (gyro) u = with_gyro(u, turn_rad, params.heading, params_.noise);
+    if (gyro_turn_rad && params.heading != HeadingSource::wheels)
+        u = with_gyro(u, Scalar(*gyro_turn_rad), params.heading, params_.noise);
     if (dt_s > 0) track.motion = u;
     return u;
 }
@@ -317,6 +330,14 @@ std::size_t Localizer<Scalar, N>::motion_before(std::size_t place) const noexcep
     while (place > 0)
         if (is_motion(history_[--place].sample)) return place;
     return history_.size();
+}
+
+/// The first motion sample, or size() if there is none.
+template <typename Scalar, int N>
+std::size_t Localizer<Scalar, N>::first_motion() const noexcept {
+    std::size_t i = 0;
+    while (i < history_.size() && !is_motion(history_[i].sample)) ++i;
+    return i;
 }
 
 template <typename Scalar, int N>

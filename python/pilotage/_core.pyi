@@ -153,6 +153,10 @@ class Recording:
         """
         velocity_t: (n,) means since the previous sample [m/s, rad/s].
         """
+    def messages(self, channel: str) -> list[bytes]:
+        """
+        The encoded messages of a channel, in order.
+        """
     def reference(self) -> numpy.ndarray:
         """
         All reference_t in it: structured array of utime, x, y, heading.

@@ -24,7 +24,13 @@ class Replay:
 def replay_log(
     log: Log, config_file: Path | None = None, progress: Callable[[float], None] | None = None
 ) -> Replay:
-    """Replay a log with a configuration file, or with the one that suits its kind.
+    """Replay a log with a configuration file, or with the one that suits its kind."""
+    config = prepared_config(log, config_file)
+    return Replay(log, config, replay(config, log.recording, progress=progress))
+
+
+def prepared_config(log: Log, config_file: Path | None = None) -> Config:
+    """Return the configuration that a log is replayed with.
 
     Where the configuration has no map, the log's is used; where it has no start, the first true
     pose is, with the configured standard deviations.
@@ -32,7 +38,7 @@ def replay_log(
     Raises
     ------
     ValueError
-        If there is no configuration, map or start.
+        If there is no configuration or no map.
     """
     config = choose_config(log, config_file)
     if len(config.map) == 0:
@@ -43,7 +49,7 @@ def replay_log(
         first = log.truth[0]
         for key, column in (("x_m", "x"), ("y_m", "y"), ("heading_rad", "heading")):
             config[f"initial.{key}"] = float(first[column])
-    return Replay(log, config, replay(config, log.recording, progress=progress))
+    return config
 
 
 def choose_config(log: Log, config_file: Path | None) -> Config:

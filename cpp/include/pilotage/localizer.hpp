@@ -102,6 +102,7 @@ class Localizer {
     bool insert(const Sample& sample) noexcept;
     bool refuse(const Sample& sample, Verdict verdict, double value, double limit) noexcept;
     void forget_before(std::int64_t horizon) noexcept;
+    void forget_step() noexcept;
     void forget_front() noexcept;
 
     // Computing again from a place in the history.
@@ -113,6 +114,7 @@ class Localizer {
     void settle(Node& node, Verdict verdict) noexcept;
 
     [[nodiscard]] std::size_t motion_before(std::size_t place) const noexcept;
+    [[nodiscard]] std::size_t first_motion() const noexcept;
     [[nodiscard]] const Track& newest() const noexcept;
     [[nodiscard]] Status status(const Track& track) const noexcept;
 

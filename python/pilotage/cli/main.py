@@ -4,7 +4,7 @@ import sys
 
 import typer
 
-from . import config, replay, study
+from . import config, convert, demo, evaluate, plot, replay, simulate, study
 
 app = typer.Typer(
     help="Localizes ground robots on surveyed markers, with dead reckoning in between.",
@@ -26,8 +26,16 @@ def _options(
         raise typer.Exit
 
 
-app.command()(config.config)
-app.command()(replay.replay)
+for command in (
+    demo.demo,
+    replay.replay,
+    convert.convert,
+    simulate.simulate,
+    evaluate.evaluate,
+    plot.plot,
+    config.config,
+):
+    app.command()(command)
 app.add_typer(study.app, name="study")
 
 

@@ -33,9 +33,9 @@ def replay(
 
     Example: pilotage replay MRCLAM_Dataset6 --robot 2 -o out
     """
-    from ..evaluate import compute_metrics, table_rows
     from ..logs import read
     from ..replaying import replay_log
+    from ..results import save_results
     from .console import print_rows, progress_bar
 
     log = read(input, robot=robot)
@@ -47,18 +47,7 @@ def replay(
         typer.echo(f"note: {notice}", err=True)
     if result.run.poses.size == 0:
         raise ValueError(f"{input}: no pose came out; still waiting for {result.run.waiting_for}")
-    metrics = compute_metrics(result.run, log.truth)
-    if output is not None:
-        output.mkdir(parents=True, exist_ok=True)
-        result.run.write_poses_csv(str(output / "pose.csv"))
-        result.run.write_poses_tum(str(output / "pose.tum"))
-        result.run.write_reports_csv(str(output / "reports.csv"))
-        (output / "config.yaml").write_text(result.config.to_yaml(), encoding="utf-8")
-        metrics.save(output / "metrics.json")
-        if figures:
-            from ..plot import save_all
-
-            save_all(result.run, log.truth, result.config.map, output)
-    print_rows(str(input), table_rows(metrics))
+    rows = save_results(result.run, result.config, log.truth, output, figures)
+    print_rows(str(input), rows)
     if output is not None:
         typer.echo(f"\n{output}/ holds poses, reports, metrics" + (", figures" if figures else ""))

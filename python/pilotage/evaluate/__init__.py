@@ -8,7 +8,7 @@ from .consistency import ellipse_scale, mahalanobis_squared, mean_square_band, s
 from .errors import PoseErrors, pose_errors
 from .metrics import Counts, Heading, Metrics, Nees, Nis, Position, compute_metrics
 from .run import MapLike, RunLike
-from .table import Row, table_rows
+from .table import Row, error_rows, table_rows
 from .trajectory import TRAJECTORY, read_csv, read_trajectory, read_tum
 from .truth import MAX_GAP_S, interpolate
 
@@ -27,6 +27,7 @@ __all__ = [
     "RunLike",
     "compute_metrics",
     "ellipse_scale",
+    "error_rows",
     "interpolate",
     "mahalanobis_squared",
     "mean_square_band",

@@ -21,6 +21,7 @@ def save_all(
     truth: NDArray[Any] | None,
     markers: MapLike | None,
     folder: str | Path,
+    window_s: tuple[float, float] | None = None,
 ) -> list[Path]:
     """Write path, closeup, markers, errors and nis as PNG files.
 
@@ -31,6 +32,8 @@ def save_all(
     markers : MapLike or None
     folder : path
         Made if it is not there.
+    window_s : (from, to), s since the first pose
+        What the close-up shows; by default where the error is largest.
 
     Returns
     -------
@@ -43,7 +46,7 @@ def save_all(
     folder.mkdir(parents=True, exist_ok=True)
     figures: dict[str, Callable[[], Figure]] = {
         "path": lambda: path_figure(run, truth, markers),
-        "closeup": lambda: closeup_figure(run, truth, markers),
+        "closeup": lambda: closeup_figure(run, truth, markers, window_s),
         "markers": lambda: markers_figure(run),
         "errors": lambda: errors_figure(run, truth),
         "nis": lambda: nis_figure(run),

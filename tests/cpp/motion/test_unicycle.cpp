@@ -86,7 +86,7 @@ TYPED_TEST(UnicycleTest, MidpointCutInTwoEndsElsewhere) {
                                       model.linearize(start, u).next, 1e-2));
 }
 
-// The closed form 2 sin(t/2)/t in long double, on both sides of every possible switch point.
+// The closed form 2 sin(t/2)/t in long double, on both sides of the switch at 0.1 rad.
 TYPED_TEST(UnicycleTest, ChordSeriesJoinsTheClosedForm) {
     for (long double turn : {1e-3L, 0.05L, 0.0999999L, 0.1L, 0.1000001L, 0.15L, 0.5L}) {
         turn = TypeParam(turn);

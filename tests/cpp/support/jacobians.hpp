@@ -51,8 +51,8 @@ void expect_jacobians(const Model& model, const Vector<Scalar, N>& x,
     const auto step = model.linearize(x, u);
     const Vector<D, N> fixed_x = x.template cast<D>();
     const Vector<D, Inputs> fixed_u = u.template cast<D>();
-    Matrix<Scalar, N, Inputs> b =
-        Matrix<Scalar, N, Inputs>::Zero();  // the model gives its top rows
+    // A calibrated model leaves out the rows of states that no input moves.
+    Matrix<Scalar, N, Inputs> b = Matrix<Scalar, N, Inputs>::Zero();
     b.template topRows<decltype(step.b)::RowsAtCompileTime>() = step.b;
     expect_rows_close<Scalar, N, N>(
         "A", step.a.dense(),

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 
 #include "pilotage/motion/increment.hpp"
 
@@ -26,31 +27,29 @@ class GyroIntegral {
    public:
     void add(std::int64_t utime, double rate_rad_s, double max_gap_s) noexcept {
         const auto dt_s = seconds_between<double>(utime_, utime);
-        if (seen_ && dt_s <= max_gap_s)
-            unused_rad_ += rate_rad_s * dt_s;
-        else
-            unused_rad_ = 0;
+        unused_rad_ += rate_rad_s * dt_s;
+        whole_ = whole_ && seen_ && dt_s <= max_gap_s;
         seen_ = true;
         utime_ = utime;
         rate_rad_s_ = rate_rad_s;
     }
 
-    [[nodiscard]] bool fresh(std::int64_t utime, double max_gap_s) const noexcept {
-        return seen_ && seconds_between<double>(utime_, utime) <= max_gap_s;
-    }
-
-    /// The turn from the last call's time up to `utime`.
-    [[nodiscard]] double take(std::int64_t utime) noexcept {
-        const double held_rad = rate_rad_s_ * seconds_between<double>(utime_, utime);
+    /// The turn from the last call's time up to `utime`; none if the gyro was silent for a part of it.
+    [[nodiscard]] std::optional<double> take(std::int64_t utime, double max_gap_s) noexcept {
+        const auto held_s = seconds_between<double>(utime_, utime);
+        const double held_rad = rate_rad_s_ * held_s;
         const double turn_rad = unused_rad_ + held_rad;
+        const bool whole = whole_ && seen_ && held_s <= max_gap_s;
         unused_rad_ = -held_rad;
-        return turn_rad;
+        whole_ = true;
+        return whole ? std::optional<double>(turn_rad) : std::nullopt;
     }
 
    private:
     std::int64_t utime_ = 0;
     double rate_rad_s_ = 0, unused_rad_ = 0;
     bool seen_ = false;
+    bool whole_ = false;  // no gap since the last call of take()
 };
 
 /// The wheels' last counts. Counters that wrap at 16 or 32 bits and counters that start again are told from
@@ -73,7 +72,7 @@ class TickCounter {
     void start(const EncoderTicks& now) noexcept { last_ = now; }
 
    private:
-    static constexpr double kStampSlack_s = 0.5;  // stamps repeat and jitter; a reset jumps further
+    static constexpr double kStampSlack_s = 0.1;  // stamps repeat and jitter; a reset jumps further
 
     static TickFault travel(std::int64_t now, std::int64_t last, double m_per_tick, double limit_m,
                             double& travel_m) noexcept {

@@ -1,0 +1,72 @@
+"""`pilotage simulate`: a recording of a drive that never was."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def simulate(
+    scenario: Annotated[str, typer.Argument(help="mower-spiral, circle-four-poles, figure-eight")],
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", help="LCM log; the configuration goes beside it."),
+    ] = None,
+    live: Annotated[bool, typer.Option("--live", help="Send it over LCM instead.")] = False,
+    speed: Annotated[float, typer.Option(help="Of --live, times real time.")] = 1.0,
+    lcm_url: Annotated[str | None, typer.Option(help="Of --live.")] = None,
+    duration: Annotated[float | None, typer.Option(help="Seconds, instead of the whole.")] = None,
+    noise: Annotated[float, typer.Option(help="Factor on every noise; 0 measures exactly.")] = 1.0,
+    gyro_bias: Annotated[float, typer.Option(help="rad/s")] = 0.0,
+    slip: Annotated[
+        float, typer.Option(help="Part of the wheels' travel that moves nothing.")
+    ] = 0.0,
+    latency: Annotated[float, typer.Option(help="Seconds from a frame to its arrival.")] = 0.0,
+    seed: Annotated[int, typer.Option(help="Of all chance.")] = 1,
+) -> None:
+    """Simulate a drive past markers, into an LCM log or live over LCM.
+
+    The log holds encoders, gyro, marker frames and the truth (reference_t); beside it stands a
+    configuration with the map, for `pilotage replay` and `pilotage-node`.
+
+    Example: pilotage simulate figure-eight -o eight.lcmlog --gyro-bias 0.001 && pilotage replay
+    eight.lcmlog --config eight.yaml
+    """
+    from dataclasses import replace
+
+    import numpy as np
+
+    from ..simulate import SCENARIOS
+    from ..simulate import simulate as run
+    from .console import progress_bar
+
+    if scenario not in SCENARIOS:
+        raise ValueError(f"no scenario '{scenario}'; there are {', '.join(SCENARIOS)}")
+    if live == (output is not None):
+        raise ValueError("say where it goes: either -o FILE.lcmlog or --live")
+    for name, value, least in (("noise", noise, 0.0), ("speed", speed, 1e-3), ("slip", slip, -0.5)):
+        if not value >= least:
+            raise ValueError(f"--{name} is {value}, expected {least} or more")
+    chosen = SCENARIOS[scenario].with_noise(noise)
+    chosen = replace(
+        chosen,
+        duration_s=chosen.duration_s if duration is None else duration,
+        encoders=replace(chosen.encoders, slip=slip),
+        gyro=replace(chosen.gyro, bias_rad_s=gyro_bias),
+        latency_s=latency,
+    )
+    simulation = run(chosen, np.random.default_rng(seed))
+    config = simulation.config.to_yaml()
+    if output is not None:
+        simulation.recording.save(str(output))
+        output.with_suffix(".yaml").write_text(config, encoding="utf-8")
+        typer.echo(f"{output}: {len(simulation.recording)} messages")
+        typer.echo(f"pilotage replay {output} --config {output.with_suffix('.yaml')}")
+        return
+    from ..live import play
+
+    file = Path(f"{scenario}.yaml")
+    file.write_text(config, encoding="utf-8")
+    typer.echo(f"sending; a node for it: pilotage-node --config {file}")
+    with progress_bar("sending") as progress:
+        play(simulation.recording, speed, progress, lcm_url)

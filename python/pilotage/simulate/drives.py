@@ -1,0 +1,85 @@
+"""How the robot moves: piecewise constant speed and turn rate, and the true poses that follow."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import ArcUnicycle
+
+STEP_US = 10_000
+"""Between motion samples, µs."""
+
+
+@dataclass(frozen=True)
+class Drive:
+    """True motion: rates that hold over each step, and the pose at each end of it.
+
+    Attributes
+    ----------
+    utime : (n + 1,) int, µs
+    v, omega : (n,) float
+        Speed [m/s] and turn rate [rad/s] between the stamps.
+    pose : (n + 1, 3) float
+        x, y [m], heading [rad] at the stamps.
+    """
+
+    utime: NDArray[np.int64]
+    v: NDArray[np.float64]
+    omega: NDArray[np.float64]
+    pose: NDArray[np.float64]
+
+    def at(self, utime: int) -> NDArray[np.float64]:
+        """Return the true pose at any time of the drive."""
+        i = min(int(np.searchsorted(self.utime, utime, side="right")) - 1, len(self.v) - 1)
+        dt = (utime - self.utime[i]) * 1e-6
+        return _step(self.pose[i], self.v[i] * dt, self.omega[i] * dt)
+
+
+def drive(start: NDArray[np.float64], v: NDArray[np.float64], omega: NDArray[np.float64]) -> Drive:
+    """Step the core's motion model through the rates, `STEP_US` each."""
+    utime = np.arange(len(v) + 1, dtype=np.int64) * STEP_US + 1_000_000
+    pose = np.empty((len(v) + 1, 3))
+    pose[0] = start
+    for i, (distance, turn) in enumerate(np.column_stack([v, omega]) * (STEP_US * 1e-6)):
+        pose[i + 1] = _step(pose[i], distance, turn)
+    return Drive(utime, v, omega, pose)
+
+
+def spiral(duration_s: float) -> Drive:
+    """Round and round, wider and wider, with the speed and the bends of a mower driven by hand."""
+    t = np.arange(round(duration_s * 1e6 / STEP_US)) * (STEP_US * 1e-6)
+    v = 1.4 + 0.25 * np.sin(0.11 * t) + 0.1 * np.sin(0.5 * t)
+    radius = 4.0 + 18.0 * np.minimum(t / 549.0, 1.0)
+    omega = v / radius * (1 + 0.35 * np.sin(0.23 * t))
+    v, omega = (_held(rates) for rates in (v, omega))
+    v[t < 1.0] = omega[t < 1.0] = 0.0  # it stands at first
+    return drive(np.array([4.0, 0.0, np.pi / 2]), v, omega)
+
+
+def circle(duration_s: float, radius_m: float = 1.5, speed_m_s: float = 0.5) -> Drive:
+    """Round the middle of the field."""
+    n = round(duration_s * 1e6 / STEP_US)
+    start = np.array([radius_m, 0.0, np.pi / 2])
+    return drive(start, np.full(n, speed_m_s), np.full(n, speed_m_s / radius_m))
+
+
+def figure_eight(duration_s: float, radius_m: float = 2.5, speed_m_s: float = 0.8) -> Drive:
+    """One circle to the left, one to the right."""
+    t = np.arange(round(duration_s * 1e6 / STEP_US)) * (STEP_US * 1e-6)
+    lap_s = 2 * np.pi * radius_m / speed_m_s
+    side = np.where((t // lap_s) % 2 == 0, 1.0, -1.0)
+    omega = side * speed_m_s / radius_m
+    return drive(np.zeros(3), np.full(len(t), speed_m_s), omega)
+
+
+_MODEL = ArcUnicycle()
+
+
+def _step(pose: NDArray[np.float64], distance: float, turn: float) -> NDArray[np.float64]:
+    following: NDArray[np.float64] = _MODEL.linearize(pose, [distance, turn])[0]
+    return following
+
+
+def _held(rates: NDArray[np.float64], steps: int = 25) -> NDArray[np.float64]:
+    return np.repeat(rates[::steps], steps)[: len(rates)]

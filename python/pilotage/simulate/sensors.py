@@ -1,0 +1,96 @@
+"""What the sensors make of a true drive: encoders, gyro, cameras."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import MarkerMap, MarkerModel
+from ..evaluate import wrap_angle
+from .drives import Drive
+
+COMPONENTS = ("bearing", "elevation", "range")
+
+
+@dataclass(frozen=True)
+class Encoders:
+    """Two wheels; noise grows with the root of the distance, slip and scale with the distance."""
+
+    track_width_m: float = 1.41
+    m_per_tick: float = 5e-4
+    noise_m_per_sqrt_m: float = 0.01
+    slip: float = 0.0
+    """Part of the measured travel that moves nothing, both wheels."""
+
+    def ticks(self, drive: Drive, rng: np.random.Generator) -> NDArray[np.int64]:
+        """(n + 1, 2) absolute ticks, left and right, at the drive's stamps."""
+        dt = np.diff(drive.utime) * 1e-6
+        middle, half = drive.v * dt, drive.omega * dt * self.track_width_m / 2
+        travel = np.column_stack([middle - half, middle + half]) / (1.0 - self.slip)
+        sigma = self.noise_m_per_sqrt_m * np.sqrt(np.abs(travel))
+        travel += sigma * rng.standard_normal(travel.shape)
+        total = np.vstack([np.zeros((1, 2)), np.cumsum(travel, axis=0)])
+        return np.rint(total / self.m_per_tick).astype(np.int64)
+
+
+@dataclass(frozen=True)
+class Gyro:
+    """A yaw rate sensor with white noise, and a bias that it keeps."""
+
+    noise_rad_per_sqrt_s: float = 2e-4
+    bias_rad_s: float = 0.0
+
+    def rates(self, drive: Drive, rng: np.random.Generator) -> NDArray[np.float64]:
+        """(n + 1,) mean rate over the interval that ends at each stamp, rad/s."""
+        dt = np.diff(drive.utime) * 1e-6
+        noise = self.noise_rad_per_sqrt_s / np.sqrt(dt) * rng.standard_normal(len(dt))
+        return np.append(drive.omega[0], drive.omega + noise) + self.bias_rad_s
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Anything that sees markers: where it sits, what it measures, how often, how far, how well."""
+
+    name: str
+    components: tuple[str, ...] = COMPONENTS
+    mounting: tuple[float, float, float, float] = (0.0, 0.0, 0.226, 0.0)
+    """x, y, z [m] and yaw [rad] in the robot frame."""
+    sigma: tuple[float, float, float] = (0.048, 0.006, 0.1)
+    """Of bearing, elevation [rad], range [m]."""
+    rate_hz: float = 2.0
+    reach_m: float = 12.0
+    half_view_rad: float = np.pi
+
+    def sightings(
+        self, drive: Drive, markers: MarkerMap, rng: np.random.Generator
+    ) -> tuple[NDArray[np.int64], NDArray[np.int32], NDArray[np.float64]]:
+        """Look at every frame's own time.
+
+        Returns
+        -------
+        utime : (k,) int, µs
+        id : (k,) int
+        value : (k, 3) float, NaN for what it does not measure
+        """
+        period = round(1e6 / self.rate_hz)
+        first = int(drive.utime[0]) + int(rng.integers(1, period))
+        models = {
+            int(marker): MarkerModel(position, list(COMPONENTS), self.mounting)
+            for marker, position in zip(markers.ids, markers.positions, strict=True)
+        }
+        measured = np.array([c in self.components for c in COMPONENTS])
+        rows = []
+        for utime in range(first, int(drive.utime[-1]), period):
+            pose = drive.at(utime)
+            for marker, model in models.items():
+                value = np.array(model.linearize(pose)[0])
+                if value[2] > self.reach_m or abs(wrap_angle(value[0])) > self.half_view_rad:
+                    continue
+                value += np.array(self.sigma) * rng.standard_normal(3)
+                value[0] = wrap_angle(value[0])
+                rows.append((utime, marker, np.where(measured, value, np.nan)))
+        return (
+            np.array([row[0] for row in rows], dtype=np.int64),
+            np.array([row[1] for row in rows], dtype=np.int32),
+            np.array([row[2] for row in rows]).reshape(-1, 3),
+        )

@@ -1,0 +1,33 @@
+"""Where the markers stand."""
+
+import numpy as np
+
+from .. import MarkerMap
+
+
+def mower_site(rng: np.random.Generator) -> MarkerMap:
+    """28 ground markers, about six metres apart, on a field of 50 m by 75 m like the first paper's.
+
+    Half of the field has none, so that a drive over all of it meets stretches without a sighting.
+    """
+    columns, rows = np.meshgrid(np.arange(4) * 6.4 - 10.0, np.arange(7) * 7.0 - 20.0)
+    xy = np.column_stack([columns.ravel(), rows.ravel()]) + rng.uniform(-0.6, 0.6, (28, 2))
+    return _on_ground(xy)
+
+
+def four_poles() -> MarkerMap:
+    """Four poles on the corners of a field of 5 m by 10 m."""
+    return _on_ground(np.array([[-2.5, -5.0], [2.5, -5.0], [2.5, 5.0], [-2.5, 5.0]]))
+
+
+def hall(rng: np.random.Generator) -> MarkerMap:
+    """Ten reflectors at mixed heights along the walls of a hall of 16 m by 10 m."""
+    xy = np.array(
+        [[-8, -3], [-8, 2], [-4, 5], [1, 5], [6, 5], [8, 1], [8, -4], [3, -5], [-2, -5], [-6, -5]]
+    )
+    xy = xy + rng.uniform(-0.4, 0.4, xy.shape)
+    return MarkerMap(np.arange(10), np.column_stack([xy, rng.uniform(0.3, 2.0, 10)]))
+
+
+def _on_ground(xy: np.ndarray) -> MarkerMap:
+    return MarkerMap(np.arange(len(xy)), np.column_stack([xy, np.zeros(len(xy))]))
