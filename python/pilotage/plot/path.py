@@ -40,7 +40,7 @@ def spread_along(poses: NDArray[Any], count: int) -> NDArray[np.intp]:
     """Find up to `count` poses at equal distances along the path, the start left out."""
     steps = np.hypot(np.diff(poses["x"]), np.diff(poses["y"]))
     travelled = np.concatenate([[0.0], np.cumsum(steps)])
-    wanted = travelled[-1] * np.arange(1, count + 1) / count
+    wanted = np.linspace(0.0, travelled[-1], count + 1)[1:]  # ends exactly where the path ends
     return np.unique(np.searchsorted(travelled, wanted))
 
 

@@ -9,6 +9,8 @@ from .. import ArcUnicycle
 
 STEP_US = 10_000
 """Between motion samples, µs."""
+HELD_STEPS = 25
+"""For so many steps the spiral's rates hold."""
 
 
 @dataclass(frozen=True)
@@ -47,14 +49,21 @@ def drive(start: NDArray[np.float64], v: NDArray[np.float64], omega: NDArray[np.
 
 
 def spiral(duration_s: float) -> Drive:
-    """Round and round, wider and wider, with the speed and the bends of a mower driven by hand."""
-    t = np.arange(round(duration_s * 1e6 / STEP_US)) * (STEP_US * 1e-6)
+    """Oval laps about the origin, wider and wider, with the uneven speed of a mower driven by hand."""
+    n = round(duration_s * 1e6 / STEP_US)
+    t = np.arange(n) * (STEP_US * 1e-6)
     v = 1.4 + 0.25 * np.sin(0.11 * t) + 0.1 * np.sin(0.5 * t)
-    radius = 4.0 + 18.0 * np.minimum(t / 549.0, 1.0)
-    omega = v / radius * (1 + 0.35 * np.sin(0.23 * t))
-    v, omega = (_held(rates) for rates in (v, omega))
-    v[t < 1.0] = omega[t < 1.0] = 0.0  # it stands at first
-    return drive(np.array([4.0, 0.0, np.pi / 2]), v, omega)
+    v[t < 1.0] = 0.0  # it stands at first
+    radius = 4.0 + 12.0 * t / 549.0
+    omega = np.empty(n)
+    heading = np.pi / 2
+    for first in range(0, n, HELD_STEPS):
+        held = slice(first, first + HELD_STEPS)
+        v[held] = v[first]
+        # A bend that depends on the heading alone keeps the ovals where they are.
+        omega[held] = v[first] / radius[first] * (1 - 0.3 * np.cos(2 * heading))
+        heading += omega[first] * HELD_STEPS * (STEP_US * 1e-6)
+    return drive(np.array([radius[0], 0.0, np.pi / 2]), v, omega)
 
 
 def circle(duration_s: float, radius_m: float = 1.5, speed_m_s: float = 0.5) -> Drive:
@@ -79,7 +88,3 @@ _MODEL = ArcUnicycle()
 def _step(pose: NDArray[np.float64], distance: float, turn: float) -> NDArray[np.float64]:
     following: NDArray[np.float64] = _MODEL.linearize(pose, [distance, turn])[0]
     return following
-
-
-def _held(rates: NDArray[np.float64], steps: int = 25) -> NDArray[np.float64]:
-    return np.repeat(rates[::steps], steps)[: len(rates)]

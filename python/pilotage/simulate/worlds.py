@@ -6,11 +6,8 @@ from .. import MarkerMap
 
 
 def mower_site(rng: np.random.Generator) -> MarkerMap:
-    """28 ground markers, about six metres apart, on a field of 50 m by 75 m like the first paper's.
-
-    Half of the field has none, so that a drive over all of it meets stretches without a sighting.
-    """
-    columns, rows = np.meshgrid(np.arange(4) * 6.4 - 10.0, np.arange(7) * 7.0 - 20.0)
+    """28 ground markers, six to seven metres apart, like the first paper's."""
+    columns, rows = np.meshgrid(np.arange(4) * 6.4 - 9.6, np.arange(7) * 7.0 - 21.0)
     xy = np.column_stack([columns.ravel(), rows.ravel()]) + rng.uniform(-0.6, 0.6, (28, 2))
     return _on_ground(xy)
 

@@ -82,3 +82,10 @@ def test_poses_are_spread_by_distance_not_by_time() -> None:
 
 def test_robot_that_stands_still_can_be_drawn() -> None:
     path_figure(runs.Run(poses=runs.poses([0, 1, 2]))).draw_without_rendering()
+
+
+def test_the_last_ellipse_is_at_the_end_whatever_the_length() -> None:
+    run, _, _ = runs.drive()
+    for count in range(1, 60):
+        chosen = spread_along(run.poses, count)
+        assert chosen.max() == len(run.poses) - 1

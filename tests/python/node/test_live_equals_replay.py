@@ -1,0 +1,1 @@
+"""A live run and the replay of what was recorded of it give the same bytes."""
