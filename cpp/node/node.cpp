@@ -87,7 +87,7 @@ void Node::tick(std::int64_t now) {
     tick.drops = kernel_drops();
     record(now, kTickChannel, tick);
     engine_.tick(now, tick.drops);
-    if (log_) log_->flush();
+    to_log([](LogWriter& log) { log.flush(); });
     say_what_is_missing();
 }
 
@@ -107,11 +107,17 @@ void Node::notice(const std::string& text) { std::fprintf(stderr, "pilotage-node
 
 void Node::record(std::int64_t received, std::string_view channel, const std::uint8_t* data,
                   std::size_t size) {
+    to_log([&](LogWriter& log) { log.write({received, channel, data, size}); });
+}
+
+/// Does something with the recording, if there is one; where that fails, localizing goes on without it.
+template <typename Action>
+void Node::to_log(const Action& action) {
     if (!log_) return;
     try {
-        log_->write({received, channel, data, size});
+        action(*log_);
     } catch (const std::exception& error) {
-        log_.reset();  // localizing goes on
+        log_.reset();
         notice(std::string(error.what()) + "; the recording ends here");
     }
 }

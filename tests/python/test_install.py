@@ -31,7 +31,7 @@ class Machine:
 
     def __init__(self, folder):
         self.folder = folder
-        for name in ("sh", "c++", "cat", "id"):
+        for name in ("sh", "env", "c++", "cat", "id"):
             self.add(name)
         self.python_without("nothing")
 

@@ -15,8 +15,7 @@ namespace {
 PILOTAGE_SUITE(EkfTest);
 
 // Erratum: eqs. 13 and 14 print the Jacobians at the state after the step. Here the robot drives
-// north while it turns from north-west to north-east: its uncertain heading makes x uncertain, not
-// y.
+// north, turning from north-west to north-east: its uncertain heading makes x uncertain, y not.
 TYPED_TEST(EkfTest, PredictionIsLinearisedAtTheStateBeforeTheStep) {
     using S = TypeParam;
     const Vector<S, 3> variances(0, 0, S(0.01));

@@ -1,12 +1,11 @@
-"""A real pilotage-node from its start to its end, with what it heard, said and published."""
+"""A real pilotage-node from its start to its end: what it published, said and recorded."""
 
-import os
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from time import monotonic, sleep
 from typing import Any
@@ -24,16 +23,22 @@ PATIENCE_S = 20.0
 
 @dataclass
 class Session:
-    """What came of it: exit code, standard error, and messages by channel in their order."""
+    """Exit code, standard error, and the messages on the bus by channel, in order."""
 
     exit_code: int
     said: str
-    published: dict[str, list[bytes]] = field(default_factory=dict)
+    messages: dict[str, list[bytes]]
 
     @property
     def last_status(self) -> Any:
         """The newest status_t, decoded."""
-        return lcmtypes.status_t.decode(self.published["STATUS"][-1])
+        return lcmtypes.status_t.decode(self.messages["STATUS"][-1])
+
+    def counts(self, name: str) -> dict[str, int]:
+        """What the newest status counts of an input's channel."""
+        (status,) = (i for i in self.last_status.inputs if i.channel == name)
+        rejected = {reason.reason: reason.count for reason in status.rejected}
+        return {"received": status.received, "fused": status.fused} | rejected
 
 
 def node_session(
@@ -42,7 +47,6 @@ def node_session(
     *,
     options: Sequence[str] = (),
     speed: float | None = None,
-    answered: bool = True,
     logger: bool = False,
     end: signal.Signals = signal.SIGTERM,
 ) -> Session:
@@ -50,79 +54,70 @@ def node_session(
 
     Parameters
     ----------
-    folder, log : path
-    options : of the node, besides its configuration
-    speed : times as fast as recorded; None: as fast as the node answers
-    answered : whether every motion sample gets a pose, which `speed=None` relies on
-    logger : whether lcm-logger writes ``folder/logger.lcmlog`` beside it
-    end : the signal that ends it
+    folder : path
+        Gets node.txt, and logger.lcmlog if there is a logger.
+    log : path, optional
+        To send.
+    options : sequence of str
+        Of the node, besides its configuration.
+    speed : float, optional
+        Times as fast as recorded; without it as fast as the node answers, which is for logs whose
+        every motion sample is answered.
+    logger : bool
+        Whether lcm-logger listens as well.
+    end : signal
+        That ends the node.
     """
-    command = [*NODE, "--config", str(folder / "robot.yaml"), *options]
-    with _running(command, folder / "node.txt") as node:
-        listening = 1
-        published: dict[str, list[bytes]] = {}
-        bus = lcm.LCM()
-        everything = bus.subscribe(".*", lambda channel, data: _keep(published, channel, data))
-        everything.set_queue_capacity(0)
-        listening += 1
+    messages: dict[str, list[bytes]] = {}
+    bus = lcm.LCM()
+    everything = bus.subscribe(
+        ".*", lambda channel, data: messages.setdefault(channel, []).append(data)
+    )
+    everything.set_queue_capacity(0)
+
+    def ticks() -> int:
+        bus.handle_timeout(20)
+        return len(messages.get("STATUS", []))
+
+    with ExitStack() as processes:
         if logger:
-            beside = _running([LOGGER, "-q", "-f", str(folder / "logger.lcmlog")], folder / "logger.txt")
-            listening += 1
-            with beside as process:
-                _await_listeners(listening, node)
-                _converse(bus, published, folder, log, speed, answered)
-                process.send_signal(signal.SIGINT)
-                process.wait(PATIENCE_S)
-        else:
-            _await_listeners(listening, node)
-            _converse(bus, published, folder, log, speed, answered)
+            write = [str(LOGGER), "-q", "-f", str(folder / "logger.lcmlog")]
+            process = processes.enter_context(_running(write, folder / "logger.txt"))
+            _wait(lambda: _listeners() == 2, process)
+        command = [*NODE, "--config", str(folder / "robot.yaml"), *options]
+        node = processes.enter_context(_running(command, folder / "node.txt"))
+        _wait(lambda: ticks() > 0, node)
+        if log is not None and speed is None:
+            send(Recording.load(str(log)), load_config(str(folder / "robot.yaml")))
+        elif log is not None:
+            play(Recording.load(str(log)), speed)
+        seen = ticks()
+        _wait(lambda: ticks() > seen + 1, node)
         node.send_signal(end)
         exit_code = node.wait(PATIENCE_S)
-    return Session(exit_code, (folder / "node.txt").read_text(), published)
-
-
-def _converse(
-    bus: Any,
-    published: dict[str, list[bytes]],
-    folder: Path,
-    log: Path | None,
-    speed: float | None,
-    answered: bool,
-) -> None:
-    if log is not None:
-        recording = Recording.load(str(log))
-        if speed is not None or not answered:
-            play(recording, speed or 100.0)
-        else:
-            send(recording, load_config(str(folder / "robot.yaml")))
-    before = len(published.get("STATUS", []))
-    start = monotonic()
-    while len(published.get("STATUS", [])) < before + 2:
-        assert monotonic() - start < PATIENCE_S, "the node ticks no more"
-        bus.handle_timeout(100)
-
-
-def _keep(published: dict[str, list[bytes]], channel: str, data: bytes) -> None:
-    published.setdefault(channel, []).append(data)
+    return Session(exit_code, (folder / "node.txt").read_text(), messages)
 
 
 @contextmanager
-def _running(command: Sequence[Any], says: Path) -> Iterator["subprocess.Popen[bytes]"]:
+def _running(command: Sequence[str], says: Path) -> Iterator["subprocess.Popen[bytes]"]:
     with says.open("wb") as out:
         process = subprocess.Popen(command, stdout=out, stderr=subprocess.STDOUT)
         try:
             yield process
         finally:
-            process.kill()
-            process.wait()
+            process.terminate()
+            process.wait(PATIENCE_S)
 
 
-def _await_listeners(count: int, node: "subprocess.Popen[bytes]") -> None:
-    """Wait until so many sockets of this network are bound to LCM's port."""
+def _wait(for_this: Callable[[], bool], process: "subprocess.Popen[bytes]") -> None:
     start = monotonic()
-    while monotonic() - start < PATIENCE_S and node.poll() is None:
-        bound = [line.split()[1] for line in Path("/proc/net/udp").read_text().splitlines()[1:]]
-        if sum(place.endswith(f":{PORT:04X}") for place in bound) >= count:
-            return
-        sleep(0.02)
-    raise AssertionError(f"{count} listeners did not come; node ended: {node.poll()}")
+    while not for_this():
+        assert process.poll() is None, f"{process.args} ended with {process.returncode}"
+        assert monotonic() - start < PATIENCE_S, f"{process.args}: nothing came of it"
+        sleep(0.01)
+
+
+def _listeners() -> int:
+    """How many sockets of this network are bound to LCM's port."""
+    rows = Path("/proc/net/udp").read_text().splitlines()[1:]
+    return sum(row.split()[1].endswith(f":{PORT:04X}") for row in rows)

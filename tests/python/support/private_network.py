@@ -18,14 +18,15 @@ from pilotage import multicast
 
 TESTS = Path(__file__).parents[1]
 TIMEOUT_S = 120
+LACKING = "needs unshare (util-linux), ip (iproute2) and a kernel that lets users make namespaces"
 
 
-def run_privately(folder: Path, function: Callable[..., Any], *args: Any) -> Any:
-    """What a function of an importable module returns there; files of its own go into `folder`."""
+def run_privately(folder: Path, function: Callable[..., Any], *args: Any, **how: Any) -> Any:
+    """What a function of an importable module returns there; the call is kept in `folder`."""
     command = multicast.private_network([sys.executable, "-m", __name__, str(folder)])
     if command is None:
-        pytest.skip("needs unshare (util-linux), ip (iproute2) and a kernel that lets users use them")
-    (folder / "call.pickle").write_bytes(pickle.dumps((function, args)))
+        pytest.skip(LACKING)
+    (folder / "call.pickle").write_bytes(pickle.dumps((function, args, how)))
     path = os.pathsep.join([str(TESTS), os.environ.get("PYTHONPATH", "")])
     subprocess.run(command, check=True, timeout=TIMEOUT_S, env={**os.environ, "PYTHONPATH": path})
     return pickle.loads((folder / "result.pickle").read_bytes())
@@ -33,5 +34,5 @@ def run_privately(folder: Path, function: Callable[..., Any], *args: Any) -> Any
 
 if __name__ == "__main__":
     place = Path(sys.argv[1])
-    call, arguments = pickle.loads((place / "call.pickle").read_bytes())
-    (place / "result.pickle").write_bytes(pickle.dumps(call(*arguments)))
+    call, arguments, keywords = pickle.loads((place / "call.pickle").read_bytes())
+    (place / "result.pickle").write_bytes(pickle.dumps(call(*arguments, **keywords)))
