@@ -60,13 +60,15 @@ void Engine::handle(std::string_view channel, std::int64_t received, const std::
     if (codec == nullptr || codec->kind != input->kind()) return wrong_type(*input, fingerprint, codec);
     if (!whole) {
         input->fault(MessageFault::malformed);
-        notice_once(std::string(channel) + ": a broken " + codec->type + " of " + std::to_string(size) +
-                    " bytes (this and later ones are counted in the status)");
+        notice_once("malformed " + input->channel(),
+                    input->channel() + ": a broken " + codec->type + " of " + std::to_string(size) +
+                        " bytes (this and later ones are counted in the status)");
         return;
     }
     if (input->kind() == Kind::frame && input->name() != decoded_.sensor) {
         input->fault(MessageFault::unknown_sensor);
-        notice_once(std::string(channel) + ": a frame of sensor '" + decoded_.sensor +
+        notice_once("sensor " + decoded_.sensor,
+                    input->channel() + ": a frame of sensor '" + decoded_.sensor +
                     "', which the configuration does not name; add sensors." + decoded_.sensor);
         return;
     }
@@ -94,7 +96,8 @@ Input* Engine::input_for(std::string_view channel, const Decoded* frame) noexcep
 
 void Engine::wrong_type(Input& input, std::int64_t fingerprint, const Codec* codec) {
     input.fault(MessageFault::wrong_type);
-    notice_once(input.channel() + ": expected " + expected_type(input.kind()) + ", got " +
+    notice_once("type " + input.channel(),
+                input.channel() + ": expected " + expected_type(input.kind()) + ", got " +
                 (codec != nullptr ? codec->type : "an unknown type") + " with fingerprint " + hex(fingerprint) +
                 "; is this the right channel, and is the sender built with the same .lcm files?");
 }
@@ -193,8 +196,10 @@ std::string Engine::waiting_for() const {
     return missing;
 }
 
-void Engine::notice_once(const std::string& text) {
-    if (said_.insert(text.substr(0, text.find(','))).second) output_->notice(text);
+/// Says a line unless the same was said before; a peer that invents names does not fill the memory.
+void Engine::notice_once(const std::string& what, const std::string& text) {
+    constexpr std::size_t enough = 100;
+    if (said_.size() < enough && said_.insert(what).second) output_->notice(text);
 }
 
 template <typename Message>

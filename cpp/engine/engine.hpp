@@ -71,7 +71,7 @@ class Engine final : private Listener {
     [[nodiscard]] Input* input_for(std::string_view channel, const Decoded* message) noexcept;
     void wrong_type(Input& input, std::int64_t fingerprint, const Codec* codec);
     void publish_pose();
-    void notice_once(const std::string& text);
+    void notice_once(const std::string& what, const std::string& text);
     template <typename Message>
     void publish(const std::string& channel, const Message& message);
 
