@@ -4,31 +4,32 @@ The estimator is the C++ core; this package binds it and builds simulation, read
 evaluation and figures around it. The generated LCM types are in `pilotage.lcmtypes`.
 """
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from ._core import (
-    ArcUnicycle,
-    CalibratedArc,
-    Config,
-    ConfigError,
-    DifferentialDrive,
-    Ekf3,
-    Ekf6,
-    Engine,
-    GyroDrive,
-    Localizer,
-    MarkerMap,
-    MarkerModel,
-    MidpointUnicycle,
-    Policy,
-    Recording,
-    Run,
-    UpdateReport,
-    __version__,
-    load_config,
-    read_table,
-    replay,
-)
+if TYPE_CHECKING:
+    from ._core import (
+        ArcUnicycle,
+        CalibratedArc,
+        Config,
+        ConfigError,
+        DifferentialDrive,
+        Ekf3,
+        Ekf6,
+        Engine,
+        GyroDrive,
+        Localizer,
+        MarkerMap,
+        MarkerModel,
+        MidpointUnicycle,
+        Policy,
+        Recording,
+        Run,
+        UpdateReport,
+        __version__,
+        load_config,
+        read_table,
+        replay,
+    )
 
 __all__ = [
     "ArcUnicycle",
@@ -56,6 +57,17 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
+    # The extension is loaded when it is first needed, so that a command starts quickly and can say
+    # in a line what is missing where the extension cannot load.
+    if name in __all__:
+        try:
+            from . import _core
+        except ImportError as error:
+            from ._glib import explain
+
+            raise ImportError(explain(error)) from error
+        value = globals()[name] = getattr(_core, name)
+        return value
     # lcm-gen names types by their LCM package, which is `pilotage`: what it generates looks here
     # for nested types, and so may a user who writes `from pilotage import pose_t`.
     if name.endswith("_t"):

@@ -43,7 +43,7 @@ def main() -> None:
     """Run the command line; what a user can mend is said in a line, not in a traceback."""
     try:
         app()
-    except (ValueError, KeyError, OSError, RuntimeError) as error:
+    except (ValueError, KeyError, OSError, RuntimeError, ImportError) as error:
         text = error.args[0] if isinstance(error, KeyError) else error
         print(f"pilotage: {text}", file=sys.stderr)
         sys.exit(2)

@@ -49,7 +49,7 @@ def drive(start: NDArray[np.float64], v: NDArray[np.float64], omega: NDArray[np.
 
 
 def spiral(duration_s: float) -> Drive:
-    """Oval laps about the origin, wider and wider, with the uneven speed of a mower driven by hand."""
+    """Oval laps about the origin, ever wider, with the uneven speed of a mower driven by hand."""
     n = round(duration_s * 1e6 / STEP_US)
     t = np.arange(n) * (STEP_US * 1e-6)
     v = 1.4 + 0.25 * np.sin(0.11 * t) + 0.1 * np.sin(0.5 * t)

@@ -78,7 +78,7 @@ class Ekf {
         report.s = hph + r;
         const Ldlt<Scalar, M> s(report.s);
         report.nis = innovation.dot(s.solve(innovation));
-        if (!s.positive() || !std::isfinite(report.nis))
+        if (!(r.diagonal().array() > 0).all() || !s.positive() || !std::isfinite(report.nis))
             return refuse(report, UpdateFault::numeric);
         if (policy.gated(report.nis, M)) return refuse(report, UpdateFault::gated);
         report.weight = policy.weight(report.nis, M);
@@ -105,7 +105,7 @@ class Ekf {
         for (int j = 0; j < N; ++j)
             for (int i = j; i < N; ++i) p(i, j) = m1(i, j) + rest.row(i).dot(k.row(j));
         const State x = plus<Scalar, N>(x_, k.lazyProduct(innovation));
-        if (!x.allFinite() || !Ldlt<Scalar, N>(p, kPivotTolerance).semidefinite()) return false;
+        if (!x.allFinite() || !Ldlt<Scalar, N>(p, kPivotTolerance, p_.diagonal()).semidefinite()) return false;
         mirror_lower(p);
         x_ = x;
         p_ = p;
@@ -120,7 +120,8 @@ class Ekf {
         return report;
     }
 
-    /// Rounding leaves a pivot of a singular covariance this far from zero, relative to its variance.
+    /// Rounding leaves a pivot of a singular covariance this far from zero, relative to the variance
+    /// before the update.
     static constexpr Scalar kPivotTolerance = Eigen::NumTraits<Scalar>::epsilon() * 1000;
 
     State x_;

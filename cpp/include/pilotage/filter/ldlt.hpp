@@ -11,11 +11,15 @@ class Ldlt {
    public:
     /// Reads the lower triangle. A pivot below `tolerance` times its diagonal entry counts as zero, and its
     /// row is left out: exactly known (frozen) states have zero variance and no covariance.
-    explicit Ldlt(const Matrix<Scalar, M>& a, Scalar tolerance = 0) noexcept {
+    explicit Ldlt(const Matrix<Scalar, M>& a, Scalar tolerance = 0) noexcept
+        : Ldlt(a, tolerance, a.diagonal()) {}
+
+    /// The tolerance relative to something else than the diagonal, where `a` is a difference of larger terms.
+    Ldlt(const Matrix<Scalar, M>& a, Scalar tolerance, const Vector<Scalar, M>& scale) noexcept {
         for (int j = 0; j < M; ++j) {
             Scalar pivot = a(j, j);
             for (int k = 0; k < j; ++k) pivot -= lower_(j, k) * lower_(j, k) * pivot_[k];
-            const Scalar slack = tolerance * a(j, j);
+            const Scalar slack = tolerance * scale[j];
             positive_ = positive_ && pivot > slack;
             semidefinite_ = semidefinite_ && a(j, j) >= 0 && pivot >= -slack;
             pivot_[j] = pivot > slack ? pivot : 0;
