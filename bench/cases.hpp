@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The work that every contender does: 64 steps of a drive among markers, the same on every machine.
+/// The work that every contender does: 64 steps of a drive among markers, the same on every
+/// machine.
 
 #include <array>
 #include <cmath>

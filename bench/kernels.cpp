@@ -34,7 +34,8 @@ void predict_by_hand(ScalarStep& filter, const Case& c) {
     filter.predict(model, c.u, c.gamma, c.q6);
 }
 
-[[gnu::flatten]] Report update_pilotage(Ekf<double, 3>& filter, const Case& c, const Policy& policy) {
+[[gnu::flatten]] Report update_pilotage(Ekf<double, 3>& filter, const Case& c,
+                                        const Policy& policy) {
     return filter.update(c.sighting, c.z, diagonal(c.variances), policy);
 }
 
@@ -43,7 +44,8 @@ bool update_by_hand(ScalarStep& filter, const Case& c) {
     return filter.update(m[0], m[1], m[2], c.z.data(), c.variances.data());
 }
 
-[[gnu::flatten]] Report update6_pilotage(Ekf<double, 6>& filter, const Case& c, const Policy& policy) {
+[[gnu::flatten]] Report update6_pilotage(Ekf<double, 6>& filter, const Case& c,
+                                         const Policy& policy) {
     return filter.update(c.sighting, c.z, diagonal(c.variances), policy);
 }
 
@@ -56,8 +58,8 @@ void predict_symforce(SymforceStep& filter, const Case& c) {
 
 void update_symforce(SymforceStep& filter, const Case& c) {
     const int now = filter.now, next = filter.now = 1 - now;
-    sym::Update<double>(filter.x[now], filter.p[now], c.sighting.marker_above_sensor, c.z, c.variances,
-                        &filter.x[next], &filter.p[next]);
+    sym::Update<double>(filter.x[now], filter.p[now], c.sighting.marker_above_sensor, c.z,
+                        c.variances, &filter.x[next], &filter.p[next]);
 }
 #endif
 

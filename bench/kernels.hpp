@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The steps that are raced. Each is a function of its own, so that callgrind can count its instructions.
+/// The steps that are raced. Each is a function of its own, so that callgrind can count its
+/// instructions.
 
 #include "cases.hpp"
 #include "pilotage/filter/ekf.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Times contenders in turns of a few microseconds each, so that all of them meet the same clock, the same
-/// neighbours and the same caches, and compares them round by round.
+/// Times contenders in turns of a few microseconds each, so that all of them meet the same clock,
+/// the same neighbours and the same caches, and compares them round by round.
 
 #include <algorithm>
 #include <chrono>

@@ -1,8 +1,9 @@
 #pragma once
 /// \file
-/// The yardstick: the three-state step written out by hand, with the same guarantees as Ekf<3> (Joseph form,
-/// nothing committed that is not a covariance) but no matrix, no report and no choice: six doubles for the
-/// symmetric P, and the two angles fused one after the other as scalars.
+/// The yardstick: the three-state step written out by hand, with the same guarantees as Ekf<3>
+/// (Joseph form, nothing committed that is not a covariance) but no matrix, no report and no
+/// choice: six doubles for the symmetric P, and the two angles fused one after the other as
+/// scalars.
 
 #include <cmath>
 
@@ -39,8 +40,8 @@ struct ScalarStep {
         hh += tt + q[2];
     }
 
-    /// Bearing and elevation of a marker at (mx, my), mz above the sensor, with variances r. Both are
-    /// linearised at the pose before the update.
+    /// Bearing and elevation of a marker at (mx, my), mz above the sensor, with variances r. Both
+    /// are linearised at the pose before the update.
     bool update(double mx, double my, double mz, const double* z, const double* r) {
         const double ex = mx - x, ey = my - y;
         const double d2 = ex * ex + ey * ey, d = std::sqrt(d2);

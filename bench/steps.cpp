@@ -1,6 +1,6 @@
 /// \file
-/// Races the steps of kernels.hpp and prints one line `name median_ns` each. With a name and a count it runs
-/// that step alone, for callgrind.
+/// Races the steps of kernels.hpp and prints one line `name median_ns` each. With a name and a
+/// count it runs that step alone, for callgrind.
 
 #include <cstdio>
 #include <cstdlib>
@@ -38,8 +38,12 @@ Contender field(const char* name, Make make, Step step) {
             }};
 }
 
-Ekf<double, 3> three(const Case& c) { return {c.x.head<3>(), c.p.topLeftCorner<3, 3>()}; }
-Ekf<double, 6> six(const Case& c) { return {c.x, c.p}; }
+Ekf<double, 3> three(const Case& c) {
+    return {c.x.head<3>(), c.p.topLeftCorner<3, 3>()};
+}
+Ekf<double, 6> six(const Case& c) {
+    return {c.x, c.p};
+}
 ScalarStep scalar(const Case& c) {
     return {c.x[0],    c.x[1],    c.x[2],    c.p(0, 0), c.p(1, 0),
             c.p(1, 1), c.p(2, 0), c.p(2, 1), c.p(2, 2)};
@@ -53,9 +57,11 @@ std::vector<Contender> contenders() {
         chain<ScalarStep>("predict_by_hand", scalar, predict_by_hand),
         chain<E3>("predict_pilotage_wheels", three, predict_pilotage_wheels),
         chain<E6>("predict6_pilotage", six, predict6_pilotage),
-        field<E3>("update_pilotage", three, [](E3& f, const Case& c) { update_pilotage(f, c, plain); }),
+        field<E3>("update_pilotage", three,
+                  [](E3& f, const Case& c) { update_pilotage(f, c, plain); }),
         field<ScalarStep>("update_by_hand", scalar, update_by_hand),
-        field<E6>("update6_pilotage", six, [](E6& f, const Case& c) { update6_pilotage(f, c, plain); }),
+        field<E6>("update6_pilotage", six,
+                  [](E6& f, const Case& c) { update6_pilotage(f, c, plain); }),
     };
 #ifdef BENCH_SYMFORCE
     const auto make = [](const Case& c) {

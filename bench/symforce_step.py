@@ -1,6 +1,6 @@
-"""Writes symforce_step.hpp: the three-state step as symforce generates it, to be raced against ours.
+"""Writes symforce_step.hpp: the three-state step as symforce generates it, to race against ours.
 
-Its update is the shorter (I - K H) P without any check, which is the least that could be asked of it.
+Its update is the shorter (I - K H) P without any check, the least that could be asked of it.
 """
 
 import argparse
@@ -33,9 +33,7 @@ def predict(x: sf.V3, p: sf.M33, u: sf.V2, gamma: sf.M22, q: sf.V3) -> tuple[sf.
     return step, symmetric(p_next)
 
 
-def update(
-    x: sf.V3, p: sf.M33, marker: sf.V3, z: sf.V2, variances: sf.V2
-) -> tuple[sf.V3, sf.M33]:
+def update(x: sf.V3, p: sf.M33, marker: sf.V3, z: sf.V2, variances: sf.V2) -> tuple[sf.V3, sf.M33]:
     dx, dy = marker[0] - x[0], marker[1] - x[1]
     predicted = sf.V2(
         sf.atan2(dy, dx, epsilon=0) - x[2],

@@ -18,15 +18,17 @@ using Array = pybind11::array_t<T, pybind11::array::c_style | pybind11::array::f
 template <typename T>
 void expect_length(const Array<T>& array, pybind11::ssize_t size, const char* name) {
     if (array.ndim() != 1 || array.shape(0) != size)
-        throw pybind11::value_error(std::string(name) + " must have shape (" + std::to_string(size) + ",)");
+        throw pybind11::value_error(std::string(name) + " must have shape (" +
+                                    std::to_string(size) + ",)");
 }
 
 /// \throws ValueError unless the array has shape (rows, columns)
 template <typename T>
-void expect_shape(const Array<T>& array, pybind11::ssize_t rows, pybind11::ssize_t columns, const char* name) {
+void expect_shape(const Array<T>& array, pybind11::ssize_t rows, pybind11::ssize_t columns,
+                  const char* name) {
     if (array.ndim() != 2 || array.shape(0) != rows || array.shape(1) != columns)
-        throw pybind11::value_error(std::string(name) + " must have shape (" + std::to_string(rows) + ", " +
-                                    std::to_string(columns) + ")");
+        throw pybind11::value_error(std::string(name) + " must have shape (" +
+                                    std::to_string(rows) + ", " + std::to_string(columns) + ")");
 }
 
 /// A numpy array that owns the vector's memory.

@@ -36,7 +36,8 @@ void set(Config& config, const std::string& key, const py::object& value) {
 
 void bind_config(py::module_& m) {
     py::register_exception<ConfigError>(m, "ConfigError", PyExc_ValueError).doc() =
-        "A configuration or map that cannot be used; names file, line, key, value and what was expected.";
+        "A configuration or map that cannot be used; names file, line, key, value and what was "
+        "expected.";
     py::class_<Config>(m, "Config", R"(All that a run needs besides its input.
 
 Keys are dotted, as in the file: ``config["sensors.camera.sigma_bearing_rad"] = 0.02``. Speaking of a
@@ -45,10 +46,12 @@ sensor that is not there adds it. `describe` lists every key with its value and 
         .def(py::init<>())
         .def(py::init<const Config&>(), py::arg("other"), "A copy.")
         .def_static(
-            "parse", [](const std::string& yaml) { return parse_config(yaml, "configuration", ""); },
+            "parse",
+            [](const std::string& yaml) { return parse_config(yaml, "configuration", ""); },
             py::arg("yaml"), "Reads YAML text; raises ConfigError.")
-        .def("to_yaml", [](const Config& config) { return to_yaml(config); },
-             "Every key with its value, and the map.")
+        .def(
+            "to_yaml", [](const Config& config) { return to_yaml(config); },
+            "Every key with its value, and the map.")
         .def("__getitem__", &get, py::arg("key"), "Raises KeyError naming the nearest known key.")
         .def("__setitem__", &set, py::arg("key"), py::arg("value"),
              "Raises KeyError naming the nearest known key, ConfigError for an impossible value.")
@@ -56,17 +59,21 @@ sensor that is not there adds it. `describe` lists every key with its value and 
             "describe",
             [](Config& config) {
                 std::vector<std::tuple<std::string, std::string, std::string>> rows;
-                for (const Field& f : fields(config)) rows.emplace_back(f.key, f.unset() ? "" : f.text(), f.meaning);
+                for (const Field& f : fields(config))
+                    rows.emplace_back(f.key, f.unset() ? "" : f.text(), f.meaning);
                 return rows;
             },
             "(key, value, meaning) of every key.")
-        .def("check", [](const Config& config) { check(config, "configuration"); },
-             "Raises ConfigError if the parts do not fit together.")
-        .def_property_readonly("sensors", [](const Config& config) { return config.sensor_names; },
-                               "Names of the marker sensors.")
+        .def(
+            "check", [](const Config& config) { check(config, "configuration"); },
+            "Raises ConfigError if the parts do not fit together.")
+        .def_property_readonly(
+            "sensors", [](const Config& config) { return config.sensor_names; },
+            "Names of the marker sensors.")
         .def_readwrite("map", &Config::map, "The MarkerMap.");
     m.def("load_config", &load_config, py::arg("path"),
-          "Reads a configuration file and the map that it names; raises ConfigError naming file and line.");
+          "Reads a configuration file and the map that it names; raises ConfigError naming file "
+          "and line.");
 }
 
 }  // namespace pilotage::bindings

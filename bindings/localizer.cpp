@@ -25,7 +25,8 @@ class Silence final : public Listener {
     void on_sighting(const SightingReport&) override {}
 };
 
-/// Samples in time order from three sorted streams: what the localizer sees of a recording held as arrays.
+/// Samples in time order from three sorted streams: what the localizer sees of a recording held as
+/// arrays.
 struct Streams {
     Times motion_utime;
     Numbers motion;  // (n, 2): ticks or velocity
@@ -48,7 +49,8 @@ class PyLocalizer {
 
     // Untyped, since a signature cannot name the rows' fields.
     py::array run(const Streams& s, int sensor) {
-        const py::ssize_t n = s.motion_utime.size(), g = s.gyro_utime.size(), k = s.sighting_utime.size();
+        const py::ssize_t n = s.motion_utime.size(), g = s.gyro_utime.size(),
+                          k = s.sighting_utime.size();
         expect_length(s.motion_utime, n, "motion_utime");
         expect_shape(s.motion, n, 2, "motion");
         expect_length(s.gyro_rate, g, "gyro_rate");
@@ -58,7 +60,8 @@ class PyLocalizer {
         {
             const py::gil_scoped_release release;
             rows.reserve(static_cast<std::size_t>(n));
-            std::visit([&](auto& localizer) { feed(localizer, s, n, g, k, sensor, rows); }, localizer_);
+            std::visit([&](auto& localizer) { feed(localizer, s, n, g, k, sensor, rows); },
+                       localizer_);
         }
         return owning_array(std::move(rows));
     }
@@ -67,21 +70,26 @@ class PyLocalizer {
     using Any = std::variant<Localizer<double, kPoseStates>, Localizer<double, kCalibratedStates>>;
 
     template <typename AnyLocalizer>
-    void feed(AnyLocalizer& localizer, const Streams& s, py::ssize_t n, py::ssize_t g, py::ssize_t k, int sensor,
-              std::vector<Run::PoseRow>& rows) const {
-        const std::int64_t *tm = s.motion_utime.data(), *tg = s.gyro_utime.data(), *ts = s.sighting_utime.data();
-        const double *motion = s.motion.data(), *rate = s.gyro_rate.data(), *seen = s.sighting.data();
+    void feed(AnyLocalizer& localizer, const Streams& s, py::ssize_t n, py::ssize_t g,
+              py::ssize_t k, int sensor, std::vector<Run::PoseRow>& rows) const {
+        const std::int64_t *tm = s.motion_utime.data(), *tg = s.gyro_utime.data(),
+                           *ts = s.sighting_utime.data();
+        const double *motion = s.motion.data(), *rate = s.gyro_rate.data(),
+                     *seen = s.sighting.data();
         for (py::ssize_t i = 0, j = 0, l = 0; i < n; ++i) {
             for (; j < g && tg[j] <= tm[i]; ++j)
-                localizer.add(Sample::make(tg[j], static_cast<std::int32_t>(j), Stream::gyro, GyroRate{rate[j]}));
+                localizer.add(Sample::make(tg[j], static_cast<std::int32_t>(j), Stream::gyro,
+                                           GyroRate{rate[j]}));
             for (; l < k && ts[l] <= tm[i]; ++l) {
-                const Sighting sighting{
-                    {seen[3 * l], seen[3 * l + 1], seen[3 * l + 2]}, {NAN, NAN, NAN}, s.sighting_id.data()[l], -1};
-                localizer.add(Sample::make(ts[l], static_cast<std::int32_t>(l), Stream::sighting, sighting,
-                                           static_cast<std::uint8_t>(sensor)));
+                const Sighting sighting{{seen[3 * l], seen[3 * l + 1], seen[3 * l + 2]},
+                                        {NAN, NAN, NAN},
+                                        s.sighting_id.data()[l],
+                                        -1};
+                localizer.add(Sample::make(ts[l], static_cast<std::int32_t>(l), Stream::sighting,
+                                           sighting, static_cast<std::uint8_t>(sensor)));
             }
             const auto seq = static_cast<std::int32_t>(i);
-            const double *u = motion + 2 * i;
+            const double* u = motion + 2 * i;
             const Sample sample =
                 encoders_ ? Sample::make(tm[i], seq, Stream::motion,
                                          EncoderTicks{std::llround(u[0]), std::llround(u[1])})
@@ -106,10 +114,11 @@ least one sensor must be set; times are taken as they are (no time policy, no la
         .def(py::init<const Config&>(), py::arg("config"))
         .def(
             "run",
-            [](PyLocalizer& localizer, const Times& motion_utime, const Numbers& motion, const Times& gyro_utime,
-               const Numbers& gyro_rate, const Times& sighting_utime, const Array<std::int32_t>& sighting_id,
-               const Numbers& sighting, int sensor) {
-                return localizer.run({motion_utime, motion, gyro_utime, gyro_rate, sighting_utime, sighting_id, sighting},
+            [](PyLocalizer& localizer, const Times& motion_utime, const Numbers& motion,
+               const Times& gyro_utime, const Numbers& gyro_rate, const Times& sighting_utime,
+               const Array<std::int32_t>& sighting_id, const Numbers& sighting, int sensor) {
+                return localizer.run({motion_utime, motion, gyro_utime, gyro_rate, sighting_utime,
+                                      sighting_id, sighting},
                                      sensor);
             },
             py::arg("motion_utime"), py::arg("motion"), py::arg("gyro_utime") = Times(0),

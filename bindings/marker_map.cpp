@@ -10,7 +10,8 @@ namespace pilotage::bindings {
 
 namespace {
 
-MarkerMap make_map(const Array<std::int32_t>& ids, const Array<double>& positions, const py::object& sigmas) {
+MarkerMap make_map(const Array<std::int32_t>& ids, const Array<double>& positions,
+                   const py::object& sigmas) {
     const py::ssize_t n = ids.ndim() == 1 ? ids.shape(0) : -1;
     if (n < 0) throw py::value_error("ids must be one-dimensional");
     expect_shape(positions, n, 3, "positions");
@@ -40,10 +41,12 @@ Raises
 ValueError
     If the map is empty, an id comes twice or a number is not finite.
 )")
-        .def_static("load", &load_map, py::arg("path"),
-                    "Reads a YAML list of {id, x, y, z, sigma}; ValueError names file, line and value.")
-        .def("save", [](const MarkerMap& map, const std::string& path) { save_map(map, path); },
-             py::arg("path"), "Writes the YAML list that `load` reads.")
+        .def_static(
+            "load", &load_map, py::arg("path"),
+            "Reads a YAML list of {id, x, y, z, sigma}; ValueError names file, line and value.")
+        .def(
+            "save", [](const MarkerMap& map, const std::string& path) { save_map(map, path); },
+            py::arg("path"), "Writes the YAML list that `load` reads.")
         .def("__len__", [](const MarkerMap& map) { return map.markers().size(); })
         .def("__repr__",
              [](const MarkerMap& map) {
@@ -60,7 +63,8 @@ ValueError
         .def_property_readonly(
             "positions",
             [](const MarkerMap& map) {
-                py::array_t<double> xyz({static_cast<py::ssize_t>(map.markers().size()), py::ssize_t{3}});
+                py::array_t<double> xyz(
+                    {static_cast<py::ssize_t>(map.markers().size()), py::ssize_t{3}});
                 double* out = xyz.mutable_data();
                 for (const Marker& marker : map.markers())
                     for (const double v : {marker.x_m, marker.y_m, marker.z_m}) *out++ = v;

@@ -22,18 +22,26 @@ struct MarkerModel {
     auto visit(const Visit& call) const {
         const auto make = [&](const auto&... components) {
             using Sighting = MarkerSighting<double, std::decay_t<decltype(components)>...>;
-            return call(Mounted<Sighting, double>{{marker_above_sensor, {components...}}, mounting});
+            return call(
+                Mounted<Sighting, double>{{marker_above_sensor, {components...}}, mounting});
         };
         const Bearing<double> b{};
         const Elevation<double> e{};
         switch (bearing * 4 + elevation * 2 + range) {
-            case 4: return make(b);
-            case 2: return make(e);
-            case 1: return make(range_model);
-            case 6: return make(b, e);
-            case 5: return make(b, range_model);
-            case 3: return make(e, range_model);
-            default: return make(b, e, range_model);
+            case 4:
+                return make(b);
+            case 2:
+                return make(e);
+            case 1:
+                return make(range_model);
+            case 6:
+                return make(b, e);
+            case 5:
+                return make(b, range_model);
+            case 3:
+                return make(e, range_model);
+            default:
+                return make(b, e, range_model);
         }
     }
 };

@@ -33,7 +33,8 @@ auto linearize(const Model& model, const Vector<double, N>& x, const Vector<doub
 }  // namespace
 
 void bind_motion(py::module_& m) {
-    py::class_<Midpoint>(m, "MidpointUnicycle", R"(u = (distance [m], turn [rad]), driven along the mid heading.
+    py::class_<Midpoint>(m, "MidpointUnicycle",
+                         R"(u = (distance [m], turn [rad]), driven along the mid heading.
 
 Eqs. 16 to 18 of Kiriy and Buehler 2002.
 )")
@@ -42,25 +43,32 @@ Eqs. 16 to 18 of Kiriy and Buehler 2002.
     py::class_<Arc>(m, "ArcUnicycle", "u = (distance [m], turn [rad]), driven along the exact arc.")
         .def(py::init([](double slip) { return Arc{slip}; }), py::arg("slip_angle_rad") = 0.0)
         .def("linearize", &linearize<Arc, 3, 2>, py::arg("x"), py::arg("u"), kLinearize);
-    py::class_<DifferentialDrive<double>>(m, "DifferentialDrive",
-                                          R"(u = (left travel [m], right travel [m]), heading from the wheels.
+    py::class_<DifferentialDrive<double>>(
+        m, "DifferentialDrive",
+        R"(u = (left travel [m], right travel [m]), heading from the wheels.
 
 Eqs. 16 to 22 of Kiriy and Buehler 2002.
 )")
-        .def(py::init([](double width) { return DifferentialDrive<double>{width}; }), py::arg("track_width_m"))
-        .def("linearize", &linearize<DifferentialDrive<double>, 3, 2>, py::arg("x"), py::arg("u"), kLinearize);
-    py::class_<GyroDrive<double>>(m, "GyroDrive",
-                                  R"(u = (left travel [m], right travel [m], turn by the gyro [rad]).
+        .def(py::init([](double width) { return DifferentialDrive<double>{width}; }),
+             py::arg("track_width_m"))
+        .def("linearize", &linearize<DifferentialDrive<double>, 3, 2>, py::arg("x"), py::arg("u"),
+             kLinearize);
+    py::class_<GyroDrive<double>>(
+        m, "GyroDrive",
+        R"(u = (left travel [m], right travel [m], turn by the gyro [rad]).
 
 Eqs. 16 to 19 of Kiriy and Buehler 2002; its B replaces eq. 22, which holds only where the heading comes
 from the wheels.
 )")
         .def(py::init<>())
-        .def("linearize", &linearize<GyroDrive<double>, 3, 3>, py::arg("x"), py::arg("u"), kLinearize);
-    py::class_<CalibratedArc>(m, "CalibratedArc",
-                              R"(ArcUnicycle behind the calibration states gyro bias [rad/s], distance scale and
+        .def("linearize", &linearize<GyroDrive<double>, 3, 3>, py::arg("x"), py::arg("u"),
+             kLinearize);
+    py::class_<CalibratedArc>(
+        m, "CalibratedArc",
+        R"(ArcUnicycle behind the calibration states gyro bias [rad/s], distance scale and
 rotation scale (six states); u = (distance [m], turn [rad]) as measured.)")
-        .def(py::init([](double gyro_time, double slip) { return CalibratedArc{Arc{slip}, gyro_time}; }),
+        .def(py::init(
+                 [](double gyro_time, double slip) { return CalibratedArc{Arc{slip}, gyro_time}; }),
              py::arg("gyro_time_s"), py::arg("slip_angle_rad") = 0.0)
         .def("linearize", &linearize<CalibratedArc, 6, 2>, py::arg("x"), py::arg("u"), kLinearize);
 }

@@ -32,8 +32,21 @@ struct ReportRow {
 };
 
 ReportRow row_of(const SightingReport& r) {
-    ReportRow row{r.utime, r.sensor, r.frame_seq, r.index, r.id, r.revision, {}, {}, r.nis, r.dof, r.weight,
-                  r.verdict == Verdict::fused, static_cast<std::uint8_t>(r.verdict), r.value, r.limit};
+    ReportRow row{r.utime,
+                  r.sensor,
+                  r.frame_seq,
+                  r.index,
+                  r.id,
+                  r.revision,
+                  {},
+                  {},
+                  r.nis,
+                  r.dof,
+                  r.weight,
+                  r.verdict == Verdict::fused,
+                  static_cast<std::uint8_t>(r.verdict),
+                  r.value,
+                  r.limit};
     std::copy_n(r.innovation, 3, row.innovation);
     std::copy_n(r.sigma, 3, row.sigma);
     return row;
@@ -46,8 +59,9 @@ struct TimedRun {
 };
 
 template <typename Source>
-std::unique_ptr<TimedRun> replay(const Config& config, const Source& source, bool keep_messages,
-                                 const std::optional<py::typing::Callable<void(double)>>& progress) {
+std::unique_ptr<TimedRun> replay(
+    const Config& config, const Source& source, bool keep_messages,
+    const std::optional<py::typing::Callable<void(double)>>& progress) {
     Run::Progress report;
     if (progress)
         report = [&](double done) {
@@ -58,7 +72,8 @@ std::unique_ptr<TimedRun> replay(const Config& config, const Source& source, boo
     auto result = std::make_unique<TimedRun>(config, keep_messages);
     const auto start = std::chrono::steady_clock::now();
     result->run.replay(source, report);
-    result->wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result->wall_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 
@@ -66,7 +81,8 @@ py::typing::Dict<py::str, py::object> counts(const TimedRun& timed) {
     std::map<std::string, int> rejected_by;
     int samples = 0, accepted = 0;
     for (const SightingReport& report : timed.run.final_reports()) {
-        const int components = std::max(report.dof, 1);  // a sighting that measured nothing counts as well
+        const int components =
+            std::max(report.dof, 1);  // a sighting that measured nothing counts as well
         samples += components;
         (rejected(report.verdict) ? rejected_by[name(report.verdict)] : accepted) += components;
     }
@@ -83,7 +99,8 @@ py::typing::List<py::typing::Dict<py::str, py::object>> inputs(const TimedRun& t
     for (const Input& input : timed.run.engine().inputs()) {
         py::dict by_reason;
         for (int v = 0; v < kVerdicts; ++v)
-            if (const auto n = input.count(static_cast<Verdict>(v)); n != 0) by_reason[name(static_cast<Verdict>(v))] = n;
+            if (const auto n = input.count(static_cast<Verdict>(v)); n != 0)
+                by_reason[name(static_cast<Verdict>(v))] = n;
         for (int f = 0; f < kMessageFaults; ++f)
             if (const auto n = input.count(static_cast<MessageFault>(f)); n != 0)
                 by_reason[name(static_cast<MessageFault>(f))] = n;
@@ -124,7 +141,8 @@ class PyEngine {
     auto handle(const std::string& channel, std::int64_t received, const py::bytes& data) {
         const auto bytes = static_cast<std::string_view>(data);
         output_.messages.clear();
-        engine_.handle(channel, received, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+        engine_.handle(channel, received, reinterpret_cast<const std::uint8_t*>(bytes.data()),
+                       bytes.size());
         return output_.messages;
     }
     auto tick(std::int64_t now, std::int64_t drops) {
@@ -145,50 +163,69 @@ class PyEngine {
 void bind_run(py::module_& m) {
     using PoseRow = Run::PoseRow;
     PYBIND11_NUMPY_DTYPE(PoseRow, utime, x, y, heading, covariance, v, omega, status, resets);
-    PYBIND11_NUMPY_DTYPE(ReportRow, utime, sensor, frame_seq, index, id, revision, innovation, sigma, nis, dof,
-                         weight, accepted, reason, value, limit);
-    py::class_<TimedRun>(m, "Run", "A recording that went through the engine, with all that came out.")
+    PYBIND11_NUMPY_DTYPE(ReportRow, utime, sensor, frame_seq, index, id, revision, innovation,
+                         sigma, nis, dof, weight, accepted, reason, value, limit);
+    py::class_<TimedRun>(m, "Run",
+                         "A recording that went through the engine, with all that came out.")
         .def_property_readonly(
             "poses", [](const TimedRun& t) { return py::array(owning_array(t.run.poses())); },
-            "Structured array, one row a published pose: utime, x, y, heading, covariance (3, 3), v, omega, "
+            "Structured array, one row a published pose: utime, x, y, heading, covariance (3, 3), "
+            "v, omega, "
             "status, resets.")
         .def_property_readonly(
             "reports",
             [](const TimedRun& t) {
                 std::vector<ReportRow> rows;
-                for (const SightingReport& report : t.run.final_reports()) rows.push_back(row_of(report));
+                for (const SightingReport& report : t.run.final_reports())
+                    rows.push_back(row_of(report));
                 return py::array(owning_array(std::move(rows)));
             },
-            "Structured array, one row a sighting with its newest revision: utime, sensor (into `sensors`), "
-            "frame_seq, index, id, revision, innovation (3,), sigma (3,), nis, dof, weight, accepted, reason "
-            "(into `reasons`), value, limit. Components are bearing [rad], elevation [rad], range [m].")
-        .def_property_readonly("sensors", [](const TimedRun& t) { return t.run.engine().config().sensor_names; })
+            "Structured array, one row a sighting with its newest revision: utime, sensor (into "
+            "`sensors`), "
+            "frame_seq, index, id, revision, innovation (3,), sigma (3,), nis, dof, weight, "
+            "accepted, reason "
+            "(into `reasons`), value, limit. Components are bearing [rad], elevation [rad], range "
+            "[m].")
+        .def_property_readonly(
+            "sensors", [](const TimedRun& t) { return t.run.engine().config().sensor_names; })
         .def_property_readonly("reasons", [](const TimedRun&) { return verdict_names(); })
         .def_property_readonly("counts", &counts,
-                               "messages that went in, and of measured components: samples = accepted + sum of rejected by reason.")
-        .def_property_readonly("inputs", &inputs, "Per input: name, channel, received, counts by verdict.")
-        .def_property_readonly("messages", [](const TimedRun& t) { return t.run.messages(); },
-                               "Number of messages that went in.")
-        .def_property_readonly("wall_s", [](const TimedRun& t) { return t.wall_s; },
-                               "Time that the replay took [s].")
+                               "messages that went in, and of measured components: samples = "
+                               "accepted + sum of rejected by reason.")
+        .def_property_readonly("inputs", &inputs,
+                               "Per input: name, channel, received, counts by verdict.")
+        .def_property_readonly(
+            "messages", [](const TimedRun& t) { return t.run.messages(); },
+            "Number of messages that went in.")
+        .def_property_readonly(
+            "wall_s", [](const TimedRun& t) { return t.wall_s; }, "Time that the replay took [s].")
         .def_property_readonly("notices", [](const TimedRun& t) { return t.run.notices(); })
-        .def_property_readonly("damage", [](const TimedRun& t) { return t.run.damage(); },
-                               "Damaged places of the log file.")
-        .def_property_readonly("waiting_for", [](const TimedRun& t) { return t.run.engine().waiting_for(); },
-                               "What the localizer lacked to the end; empty if nothing.")
+        .def_property_readonly(
+            "damage", [](const TimedRun& t) { return t.run.damage(); },
+            "Damaged places of the log file.")
+        .def_property_readonly(
+            "waiting_for", [](const TimedRun& t) { return t.run.engine().waiting_for(); },
+            "What the localizer lacked to the end; empty if nothing.")
         .def_property_readonly(
             "published", [](const TimedRun& t) -> const Recording& { return t.run.published(); },
             "Recording of the published messages, if they were kept.")
-        .def("write_poses_csv", [](const TimedRun& t, const std::string& p) { t.run.write_poses_csv(p); },
-             py::arg("path"))
-        .def("write_poses_tum", [](const TimedRun& t, const std::string& p) { t.run.write_poses_tum(p); },
-             py::arg("path"), "TUM trajectory: time [s] x y z qx qy qz qw.")
-        .def("write_reports_csv", [](const TimedRun& t, const std::string& p) { t.run.write_reports_csv(p); },
-             py::arg("path"));
+        .def(
+            "write_poses_csv",
+            [](const TimedRun& t, const std::string& p) { t.run.write_poses_csv(p); },
+            py::arg("path"))
+        .def(
+            "write_poses_tum",
+            [](const TimedRun& t, const std::string& p) { t.run.write_poses_tum(p); },
+            py::arg("path"), "TUM trajectory: time [s] x y z qx qy qz qw.")
+        .def(
+            "write_reports_csv",
+            [](const TimedRun& t, const std::string& p) { t.run.write_reports_csv(p); },
+            py::arg("path"));
     const auto keep = py::arg("keep_messages") = false;
     const auto progress = py::arg("progress") = py::none();
-    m.def("replay", &replay<Recording>, py::arg("config"), py::arg("recording"), keep, progress,
-          R"(Feeds a recording to an engine, in the order and with the times in which its messages arrived.
+    m.def(
+        "replay", &replay<Recording>, py::arg("config"), py::arg("recording"), keep, progress,
+        R"(Feeds a recording to an engine, in the order and with the times in which its messages arrived.
 
 Parameters
 ----------
@@ -201,7 +238,8 @@ progress : called now and then with the part that is done, 0 to 1
     py::class_<PyEngine>(m, "Engine", "Bytes in, messages out, one message a call.")
         .def(py::init<const Config&>(), py::arg("config"))
         .def("handle", &PyEngine::handle, py::arg("channel"), py::arg("received"), py::arg("data"),
-             "Takes an encoded message with its time of arrival [us]; the (channel, data) to publish.")
+             "Takes an encoded message with its time of arrival [us]; the (channel, data) to "
+             "publish.")
         .def("tick", &PyEngine::tick, py::arg("now"), py::arg("drops") = 0,
              "Time passes [us]; the status message to publish.")
         .def_property_readonly("waiting_for", &PyEngine::waiting_for)

@@ -13,14 +13,17 @@ namespace pilotage::bindings {
 namespace {
 
 MarkerModel make_model(const Vector<double, 3>& marker, const std::vector<std::string>& components,
-                       const Vector<double, 4>& mounting, double range_scale, double range_offset_m) {
+                       const Vector<double, 4>& mounting, double range_scale,
+                       double range_offset_m) {
     const std::vector<std::string> known = {"bearing", "elevation", "range"};
     std::size_t last = 0;
     for (const std::string& component : components) {
-        const auto at = std::find(known.begin() + static_cast<std::ptrdiff_t>(last), known.end(), component);
+        const auto at =
+            std::find(known.begin() + static_cast<std::ptrdiff_t>(last), known.end(), component);
         if (at == known.end())
-            throw py::value_error("components are some of bearing, elevation, range, in this order; got '" +
-                                  component + "'");
+            throw py::value_error(
+                "components are some of bearing, elevation, range, in this order; got '" +
+                component + "'");
         last = static_cast<std::size_t>(at - known.begin()) + 1;
     }
     if (components.empty()) throw py::value_error("components must name at least one");
@@ -29,7 +32,11 @@ MarkerModel make_model(const Vector<double, 3>& marker, const std::vector<std::s
     };
     Vector<double, 3> above = marker;
     above[2] -= mounting[2];
-    return {above, has("bearing"), has("elevation"), has("range"), {mounting[0], mounting[1], mounting[3]},
+    return {above,
+            has("bearing"),
+            has("elevation"),
+            has("range"),
+            {mounting[0], mounting[1], mounting[3]},
             {range_scale, range_offset_m}};
 }
 
@@ -38,8 +45,8 @@ MarkerModel make_model(const Vector<double, 3>& marker, const std::vector<std::s
 void bind_sensing(py::module_& m) {
     py::class_<MarkerModel>(m, "MarkerModel", "What a mounted sensor measures of one marker.")
         .def(py::init(&make_model), py::arg("marker"), py::arg("components"),
-             py::arg("mounting") = Vector<double, 4>(Vector<double, 4>::Zero()), py::arg("range_scale") = 1.0,
-             py::arg("range_offset_m") = 0.0,
+             py::arg("mounting") = Vector<double, 4>(Vector<double, 4>::Zero()),
+             py::arg("range_scale") = 1.0, py::arg("range_offset_m") = 0.0,
              R"(Parameters
 ----------
 marker : (3,) float, x, y in frame map, z above the ground [m]
@@ -52,7 +59,8 @@ range_scale, range_offset_m : reported = scale * true + offset
             [](const MarkerModel& model, const Vector<double, 3>& pose) {
                 return model.visit([&](const auto& core) {
                     const auto h = core.linearize(pose);
-                    return std::make_tuple(Eigen::VectorXd(h.value), Eigen::MatrixXd(h.jacobian), h.defined);
+                    return std::make_tuple(Eigen::VectorXd(h.value), Eigen::MatrixXd(h.jacobian),
+                                           h.defined);
                 });
             },
             py::arg("pose"),
@@ -66,7 +74,8 @@ defined : bool, False at the marker itself
 )")
         .def(
             "minus",
-            [](const MarkerModel& model, const Eigen::VectorXd& z, const Eigen::VectorXd& predicted) {
+            [](const MarkerModel& model, const Eigen::VectorXd& z,
+               const Eigen::VectorXd& predicted) {
                 return model.visit([&](const auto& core) {
                     using Values = typename std::decay_t<decltype(core)>::Values;
                     if (z.size() != Values::RowsAtCompileTime || predicted.size() != z.size())
@@ -74,7 +83,8 @@ defined : bool, False at the marker itself
                     return Eigen::VectorXd(core.minus(Values(z), Values(predicted)));
                 });
             },
-            py::arg("z"), py::arg("predicted"), "Measured less predicted, (m,) each; bearings wrap.");
+            py::arg("z"), py::arg("predicted"),
+            "Measured less predicted, (m,) each; bearings wrap.");
 }
 
 }  // namespace pilotage::bindings

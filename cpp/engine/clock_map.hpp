@@ -9,15 +9,17 @@
 
 namespace pilotage {
 
-/// Moves stamps by the smallest receive - utime of the last minute: the message that travelled fastest tells
-/// the clocks' offset best, and a minute is short enough to follow their drift (50 ppm are 3 ms a minute).
+/// Moves stamps by the smallest receive - utime of the last minute: the message that travelled
+/// fastest tells the clocks' offset best, and a minute is short enough to follow their drift (50
+/// ppm are 3 ms a minute).
 class ClockMap {
    public:
     /// The stamp on the receiver's clock [us].
     [[nodiscard]] std::int64_t map(std::int64_t utime, std::int64_t received) noexcept {
         const std::int64_t second = received / 1'000'000;
         const std::int64_t offset = received - utime;
-        Bucket& bucket = buckets_[static_cast<std::size_t>(((second % kSeconds) + kSeconds) % kSeconds)];
+        Bucket& bucket =
+            buckets_[static_cast<std::size_t>(((second % kSeconds) + kSeconds) % kSeconds)];
         if (bucket.second == second) {
             bucket.smallest = std::min(bucket.smallest, offset);
             offset_us_ = std::min(offset_us_, offset);

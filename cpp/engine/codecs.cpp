@@ -24,7 +24,8 @@ bool read(const std::uint8_t* data, std::size_t size, Message& message) {
 
 /// For a message that is one sample.
 template <typename Message, typename Convert>
-bool decode_one(const std::uint8_t* data, std::size_t size, Decoded& out, Stream stream, Convert convert) {
+bool decode_one(const std::uint8_t* data, std::size_t size, Decoded& out, Stream stream,
+                Convert convert) {
     Message message{};
     if (!read(data, size, message)) return false;
     out.utime = message.utime;
@@ -45,9 +46,8 @@ bool decode_gyro(const std::uint8_t* data, std::size_t size, Decoded& out) {
 }
 
 bool decode_velocity(const std::uint8_t* data, std::size_t size, Decoded& out) {
-    return decode_one<velocity_t>(data, size, out, Stream::motion, [](const velocity_t& m) {
-        return BodyVelocity{m.v, m.omega};
-    });
+    return decode_one<velocity_t>(data, size, out, Stream::motion,
+                                  [](const velocity_t& m) { return BodyVelocity{m.v, m.omega}; });
 }
 
 bool decode_reset(const std::uint8_t* data, std::size_t size, Decoded& out) {
@@ -67,7 +67,8 @@ bool decode_frame(const std::uint8_t* data, std::size_t size, Decoded& out) {
         static_cast<std::size_t>(name) + header + count_and_end > size)
         return false;
     const int at = static_cast<int>(header) + name;
-    if (__int32_t_decode_array(data, at, static_cast<int>(size) - at, &count, 1) < 0 || count < 0) return false;
+    if (__int32_t_decode_array(data, at, static_cast<int>(size) - at, &count, 1) < 0 || count < 0)
+        return false;
     constexpr std::size_t sighting_bytes = 2 * 4 + 6 * 8;
     if (static_cast<std::size_t>(count) > size / sighting_bytes ||
         count > std::numeric_limits<std::uint16_t>::max() || !read(data, size, message))
@@ -81,8 +82,8 @@ bool decode_frame(const std::uint8_t* data, std::size_t size, Decoded& out) {
                                 {s.sigma_bearing, s.sigma_elevation, s.sigma_range},
                                 s.id,
                                 s.label};
-        out.samples.push_back(Sample::make(message.utime, message.seq, Stream::sighting, sighting, 0,
-                                           static_cast<std::uint16_t>(i)));
+        out.samples.push_back(Sample::make(message.utime, message.seq, Stream::sighting, sighting,
+                                           0, static_cast<std::uint16_t>(i)));
     }
     return true;
 }
@@ -108,7 +109,9 @@ bool decode_tick(const std::uint8_t* data, std::size_t size, Decoded& out) {
 }
 
 /// The M-Bot's encoders (MAEBOT_ENCODERS): int64 utime, int32 left, int32 right; no seq.
-std::int64_t maebot_encoders_fingerprint() { return 0x7d090bfb221d74f9; }
+std::int64_t maebot_encoders_fingerprint() {
+    return 0x7d090bfb221d74f9;
+}
 
 bool decode_maebot_encoders(const std::uint8_t* data, std::size_t size, Decoded& out) {
     std::int32_t ticks[2];
@@ -116,7 +119,8 @@ bool decode_maebot_encoders(const std::uint8_t* data, std::size_t size, Decoded&
         __int32_t_decode_array(data, 16, 8, ticks, 2) < 0)
         return false;
     out.seq = 0;
-    out.samples.push_back(Sample::make(out.utime, 0, Stream::motion, EncoderTicks{ticks[0], ticks[1]}));
+    out.samples.push_back(
+        Sample::make(out.utime, 0, Stream::motion, EncoderTicks{ticks[0], ticks[1]}));
     return true;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Everything that a run needs besides its input: parameters of the core, channels and times of the inputs,
-/// names of the sensors, and the map.
+/// Everything that a run needs besides its input: parameters of the core, channels and times of the
+/// inputs, names of the sensors, and the map.
 
 #include <stdexcept>
 #include <string>
@@ -24,7 +24,8 @@ enum class TimePolicy : unsigned char {
 struct InputParams {
     std::string channel;
     TimePolicy time = TimePolicy::utime;
-    double latency_s = 0;  ///< the stamp is this much later than the moment it speaks of; may be negative
+    double latency_s =
+        0;  ///< the stamp is this much later than the moment it speaks of; may be negative
 };
 
 struct OutputParams {
@@ -43,19 +44,23 @@ struct Config {
     std::vector<std::string> sensor_names;
     std::vector<InputParams> sensor_inputs;
     MarkerMap map;
-    std::string map_file;  ///< as written in the configuration, empty if the map stands in it or is missing
+    std::string
+        map_file;  ///< as written in the configuration, empty if the map stands in it or is missing
 
-    /// The sensor's number, added with defaults if it is new. \throws ConfigError past Params::kMaxSensors
-    int sensor(std::string_view name);
+    /// The sensor's number, added with defaults if it is new. \throws ConfigError, with `where` in
+    /// front, past Params::kMaxSensors and for a name that no key could hold
+    int sensor(std::string_view name, const std::string& where = "configuration");
 };
 
-/// A configuration, map or key that cannot be used. what() names file, line, key, value and what was expected.
+/// A configuration, map or key that cannot be used. what() names file, line, key, value and what
+/// was expected.
 class ConfigError : public std::runtime_error {
    public:
     using std::runtime_error::runtime_error;
 };
 
-/// One place in the configuration: a dotted key, the member behind it, what it may be and what it means.
+/// One place in the configuration: a dotted key, the member behind it, what it may be and what it
+/// means.
 struct Field {
     /// Names of an enumeration's values, and access to it as a number.
     struct Choice {

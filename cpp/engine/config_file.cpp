@@ -36,7 +36,8 @@ YAML::Node parse_yaml(const std::string& text, const std::string& where) {
     }
 }
 
-/// Calls visit(key, value) for each pair; yaml-cpp takes a key that comes twice in silence, we do not.
+/// Calls visit(key, value) for each pair; yaml-cpp takes a key that comes twice in silence, we do
+/// not.
 template <typename Visit>
 void each_pair(const YAML::Node& map, const std::string& where, const Visit& visit) {
     std::set<std::string> seen;
@@ -51,44 +52,51 @@ void each_pair(const YAML::Node& map, const std::string& where, const Visit& vis
 double number(const YAML::Node& node, const std::string& what, const std::string& where) {
     double value = 0;
     if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
-        fail(where, node, what + " is '" + (node.IsScalar() ? node.Scalar() : "not a scalar") +
-                              "', expected a finite number");
+        fail(where, node,
+             what + " is '" + (node.IsScalar() ? node.Scalar() : "not a scalar") +
+                 "', expected a finite number");
     return value;
 }
 
 Marker parse_marker(const YAML::Node& node, const std::string& where) {
-    if (!node.IsMap()) fail(where, node, "a marker is written {id: 1, x: 2.0, y: 3.0, z: 0.0, sigma: 0.01}");
+    if (!node.IsMap())
+        fail(where, node, "a marker is written {id: 1, x: 2.0, y: 3.0, z: 0.0, sigma: 0.01}");
     Marker marker;
     bool id = false, x = false, y = false;
-    each_pair(node, where, [&](const std::string& key, const YAML::Node& name, const YAML::Node& value) {
-        const double v = number(value, key, where);
-        if (key == "id") {
-            if (v != std::floor(v) || v < 0 || v > 2147483647.0)
-                fail(where, value, "id is '" + value.Scalar() + "', expected a whole number of 0 or more");
-            marker.id = static_cast<std::int32_t>(v);
-            id = true;
-        } else if (key == "x") {
-            marker.x_m = v;
-            x = true;
-        } else if (key == "y") {
-            marker.y_m = v;
-            y = true;
-        } else if (key == "z") {
-            marker.z_m = v;
-        } else if (key == "sigma") {
-            if (v < 0) fail(where, value, "sigma is '" + value.Scalar() + "', expected 0 or more");
-            marker.sigma_m = v;
-        } else {
-            fail(where, name, "unknown key '" + key + "' in a marker; known: id, x, y, z, sigma");
-        }
-    });
+    each_pair(
+        node, where, [&](const std::string& key, const YAML::Node& name, const YAML::Node& value) {
+            const double v = number(value, key, where);
+            if (key == "id") {
+                if (v != std::floor(v) || v < 0 || v > 2147483647.0)
+                    fail(where, value,
+                         "id is '" + value.Scalar() + "', expected a whole number of 0 or more");
+                marker.id = static_cast<std::int32_t>(v);
+                id = true;
+            } else if (key == "x") {
+                marker.x_m = v;
+                x = true;
+            } else if (key == "y") {
+                marker.y_m = v;
+                y = true;
+            } else if (key == "z") {
+                marker.z_m = v;
+            } else if (key == "sigma") {
+                if (v < 0)
+                    fail(where, value, "sigma is '" + value.Scalar() + "', expected 0 or more");
+                marker.sigma_m = v;
+            } else {
+                fail(where, name,
+                     "unknown key '" + key + "' in a marker; known: id, x, y, z, sigma");
+            }
+        });
     if (!id || !x || !y) fail(where, node, "a marker needs id, x and y");
     return marker;
 }
 
 MarkerMap parse_map(const YAML::Node& list, const std::string& where) {
     if (!list.IsSequence())
-        fail(where, list, "a map is a list of markers: - {id: 1, x: 2.0, y: 3.0, z: 0.0, sigma: 0.01}");
+        fail(where, list,
+             "a map is a list of markers: - {id: 1, x: 2.0, y: 3.0, z: 0.0, sigma: 0.01}");
     std::vector<Marker> markers;
     std::set<std::int32_t> ids;
     for (const auto& node : list) {
@@ -99,32 +107,48 @@ MarkerMap parse_map(const YAML::Node& list, const std::string& where) {
     return checked_map(std::move(markers), where);
 }
 
-void apply(Config& config, const YAML::Node& node, const std::string& prefix, const std::string& where,
-           const std::string& folder) {
-    each_pair(node, where, [&](const std::string& name, const YAML::Node& at_key, const YAML::Node& value) {
-        const std::string key = prefix + name;
-        if (key == "map" && value.IsSequence()) {
-            config.map = parse_map(value, where);
-        } else if (value.IsMap()) {
-            if (prefix == "sensors.") config.sensor(name);
-            apply(config, value, key + ".", where, folder);
-        } else if (value.IsScalar()) {
-            field(config, key, at(where, at_key.Mark())).set(value.Scalar(), at(where, value.Mark()));
-            if (key == "map") {
-                const bool absolute = config.map_file.front() == '/';
-                config.map = load_map(absolute || folder.empty() ? config.map_file
-                                                                 : folder + "/" + config.map_file);
-            }
-        } else {
-            fail(where, value, "'" + key + "' needs a value");
-        }
-    });
+/// Whether there are keys under it.
+bool is_section(Config& config, const std::string& key) {
+    const std::string prefix = key + ".";
+    const auto under = [&](const Field& f) { return f.key.compare(0, prefix.size(), prefix) == 0; };
+    const std::vector<Field> list = fields(config);
+    return key == "sensors" || std::any_of(list.begin(), list.end(), under);
+}
+
+void apply(Config& config, const YAML::Node& node, const std::string& prefix,
+           const std::string& where, const std::string& folder) {
+    each_pair(node, where,
+              [&](const std::string& name, const YAML::Node& at_key, const YAML::Node& value) {
+                  const std::string key = prefix + name;
+                  const std::string line = at(where, at_key.Mark());
+                  if (key == "map" && !value.IsScalar()) {
+                      config.map = parse_map(value, where);
+                  } else if (value.IsMap()) {
+                      if (prefix == "sensors.") config.sensor(name, line);
+                      if (value.size() == 0 && !is_section(config, key)) {
+                          (void)field(config, key, line);  // an unknown key is named
+                          fail(where, at_key, "'" + key + "' needs a value");
+                      }
+                      apply(config, value, key + ".", where, folder);
+                  } else if (value.IsScalar()) {
+                      field(config, key, line).set(value.Scalar(), at(where, value.Mark()));
+                      if (key == "map") {
+                          const bool absolute = config.map_file.front() == '/';
+                          config.map =
+                              load_map(absolute || folder.empty() ? config.map_file
+                                                                  : folder + "/" + config.map_file);
+                      }
+                  } else {
+                      fail(where, at_key, "'" + key + "' needs a value");
+                  }
+              });
 }
 
 }  // namespace
 
 MarkerMap checked_map(std::vector<Marker> markers, const std::string& where) {
-    if (markers.empty()) throw ConfigError(where + ": the map has no marker; at least one is needed");
+    if (markers.empty())
+        throw ConfigError(where + ": the map has no marker; at least one is needed");
     std::set<std::int32_t> ids;
     for (const Marker& m : markers) {
         const std::string name = where + ": marker " + std::to_string(m.id);
@@ -137,11 +161,14 @@ MarkerMap checked_map(std::vector<Marker> markers, const std::string& where) {
     return MarkerMap(std::move(markers));
 }
 
-MarkerMap load_map(const std::string& path) { return parse_map(parse_yaml(read_file(path), path), path); }
+MarkerMap load_map(const std::string& path) {
+    return parse_map(parse_yaml(read_file(path), path), path);
+}
 
 Config load_config(const std::string& path) {
     const auto slash = path.rfind('/');
-    return parse_config(read_file(path), path, slash == std::string::npos ? "" : path.substr(0, slash));
+    return parse_config(read_file(path), path,
+                        slash == std::string::npos ? "" : path.substr(0, slash));
 }
 
 Config parse_config(const std::string& yaml, const std::string& where, const std::string& folder) {
@@ -158,9 +185,10 @@ std::string to_yaml(const MarkerMap& map) {
     out.SetDoublePrecision(17);
     out << YAML::BeginSeq;
     for (const Marker& m : map.markers())
-        out << YAML::Flow << YAML::BeginMap << YAML::Key << "id" << YAML::Value << m.id << YAML::Key << "x"
-            << YAML::Value << m.x_m << YAML::Key << "y" << YAML::Value << m.y_m << YAML::Key << "z"
-            << YAML::Value << m.z_m << YAML::Key << "sigma" << YAML::Value << m.sigma_m << YAML::EndMap;
+        out << YAML::Flow << YAML::BeginMap << YAML::Key << "id" << YAML::Value << m.id << YAML::Key
+            << "x" << YAML::Value << m.x_m << YAML::Key << "y" << YAML::Value << m.y_m << YAML::Key
+            << "z" << YAML::Value << m.z_m << YAML::Key << "sigma" << YAML::Value << m.sigma_m
+            << YAML::EndMap;
     out << YAML::EndSeq;
     return std::string(out.c_str()) + "\n";
 }
@@ -173,7 +201,8 @@ std::string to_yaml(const Config& config) {
         YAML::Node node = root;
         std::istringstream path(f.key);
         std::string part, last;
-        for (std::getline(path, last, '.'); std::getline(path, part, '.'); last = part) node.reset(node[last]);
+        for (std::getline(path, last, '.'); std::getline(path, part, '.'); last = part)
+            node.reset(node[last]);
         node[last] = f.text();
     }
     std::ostringstream text;

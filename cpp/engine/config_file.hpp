@@ -11,9 +11,11 @@ namespace pilotage {
 /// Reads a configuration file and the map that it names. \throws ConfigError
 [[nodiscard]] Config load_config(const std::string& path);
 
-/// Reads a configuration from text. \param where its name in errors \param folder of relative map files
+/// Reads a configuration from text. \param where its name in errors \param folder of relative map
+/// files
 /// \throws ConfigError
-[[nodiscard]] Config parse_config(const std::string& yaml, const std::string& where, const std::string& folder);
+[[nodiscard]] Config parse_config(const std::string& yaml, const std::string& where,
+                                  const std::string& folder);
 
 /// The whole configuration as YAML, every key with its value, the map written out in it.
 [[nodiscard]] std::string to_yaml(const Config& config);

@@ -1,10 +1,12 @@
-/// The configuration's keys, each with its place, range and meaning: the one list that loading, writing,
-/// looking up and documenting use. Defaults stand with the members.
+/// The configuration's keys, each with its place, range and meaning: the one list that loading,
+/// writing, looking up and documenting use. Defaults stand with the members.
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "config.hpp"
 
@@ -22,35 +24,44 @@ Field::Choice choice(Enum& value, std::vector<std::string> names) {
 
 void add_input(std::vector<Field>& list, const std::string& prefix, InputParams& input) {
     list.push_back({prefix + "channel", &input.channel, Range::any, "LCM channel"});
-    list.push_back({prefix + "time", choice(input.time, {"utime", "receive", "mapped"}), Range::any,
-                    "what dates a sample: the sender's stamp, its arrival, or the stamp mapped to our clock"});
+    list.push_back(
+        {prefix + "time", choice(input.time, {"utime", "receive", "mapped"}), Range::any,
+         "what dates a sample: the sender's stamp, its arrival, or the stamp mapped to our clock"});
     list.push_back({prefix + "latency_s", &input.latency_s, Range::any,
                     "how much later the stamp is than the moment it speaks of; may be negative"});
 }
 
-void add_calibration(std::vector<Field>& list, const std::string& name, CalibrationParams& c, Range range) {
+void add_calibration(std::vector<Field>& list, const std::string& name, CalibrationParams& c,
+                     Range range) {
     const std::string prefix = "calibration." + name + ".";
     list.push_back({prefix + "initial", &c.initial, range, "value at the start"});
-    list.push_back({prefix + "sigma", &c.sigma, Range::not_negative, "of the initial value; 0 freezes it"});
+    list.push_back(
+        {prefix + "sigma", &c.sigma, Range::not_negative, "of the initial value; 0 freezes it"});
     list.push_back({prefix + "walk", &c.walk, Range::not_negative,
-                    "random walk: per root second (gyro_bias), metre (distance_scale), radian (rotation_scale)"});
+                    "random walk: per root second (gyro_bias), metre (distance_scale), radian "
+                    "(rotation_scale)"});
 }
 
-void add_sensor(std::vector<Field>& list, const std::string& name, InputParams& input, MarkerSensorParams& s) {
+void add_sensor(std::vector<Field>& list, const std::string& name, InputParams& input,
+                MarkerSensorParams& s) {
     const std::string prefix = "sensors." + name + ".";
     add_input(list, prefix, input);
     list.push_back({prefix + "x_m", &s.x_m, Range::any, "mounting, forward of the mid-axis"});
     list.push_back({prefix + "y_m", &s.y_m, Range::any, "mounting, left of the mid-axis"});
     list.push_back({prefix + "z_m", &s.z_m, Range::any, "mounting, above the ground"});
     list.push_back({prefix + "yaw_rad", &s.yaw_rad, Range::any, "mounting, left positive"});
-    list.push_back({prefix + "sigma_bearing_rad", &s.sigma_bearing_rad, Range::positive, "noise of a bearing"});
+    list.push_back({prefix + "sigma_bearing_rad", &s.sigma_bearing_rad, Range::positive,
+                    "noise of a bearing"});
     list.push_back({prefix + "sigma_elevation_rad", &s.sigma_elevation_rad, Range::positive,
                     "noise of an elevation"});
-    list.push_back({prefix + "sigma_range_m", &s.sigma_range_m, Range::positive, "noise of a range"});
+    list.push_back(
+        {prefix + "sigma_range_m", &s.sigma_range_m, Range::positive, "noise of a range"});
     list.push_back({prefix + "sigma_range_per_m", &s.sigma_range_per_m, Range::not_negative,
                     "noise of a range, times the range, added in quadrature"});
-    list.push_back({prefix + "range_scale", &s.range_scale, Range::positive, "reported over true range"});
-    list.push_back({prefix + "range_offset_m", &s.range_offset_m, Range::any, "reported at range zero"});
+    list.push_back(
+        {prefix + "range_scale", &s.range_scale, Range::positive, "reported over true range"});
+    list.push_back(
+        {prefix + "range_offset_m", &s.range_offset_m, Range::any, "reported at range zero"});
     list.push_back({prefix + "min_distance_m", &s.min_distance_m, Range::positive,
                     "nearer markers are rejected as too_close"});
     list.push_back({prefix + "fusion", choice(s.fusion, {"plain", "gate", "student_t"}), Range::any,
@@ -78,22 +89,33 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 const char* expectation(Range range) {
     switch (range) {
-        case Range::positive: return "a number above 0";
-        case Range::not_negative: return "a number of 0 or more";
-        case Range::not_zero: return "a number other than 0";
-        case Range::probability: return "a number between 0 and 1";
-        default: return "a finite number";
+        case Range::positive:
+            return "a number above 0, at most 1e9";
+        case Range::not_negative:
+            return "a number of 0 or more, at most 1e9";
+        case Range::not_zero:
+            return "a number other than 0 between -1e9 and 1e9";
+        case Range::probability:
+            return "a number between 0 and 1";
+        default:
+            return "a number between -1e9 and 1e9";
     }
 }
 
 bool inside(double v, Range range) {
-    if (!std::isfinite(v)) return false;
+    constexpr double limit = 1e9;  // squares, and times in microseconds, stay far from overflow
+    if (!(std::abs(v) <= limit)) return false;
     switch (range) {
-        case Range::positive: return v > 0;
-        case Range::not_negative: return v >= 0;
-        case Range::not_zero: return v != 0;
-        case Range::probability: return v > 0 && v < 1;
-        default: return true;
+        case Range::positive:
+            return v > 0;
+        case Range::not_negative:
+            return v >= 0;
+        case Range::not_zero:
+            return v != 0;
+        case Range::probability:
+            return v > 0 && v < 1;
+        default:
+            return true;
     }
 }
 
@@ -105,10 +127,10 @@ std::string shortest(double v) {
 
 template <typename Number>
 bool parse(const std::string& text, Number& number) {
-    const char* first = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
+    const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
     const char* last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(first, last, number);
-    return error == std::errc{} && end == last && first != last;
+    const auto [end, error] = std::from_chars(text.data() + (plus ? 1 : 0), last, number);
+    return error == std::errc{} && end == last;
 }
 
 [[noreturn]] void fail(const std::string& where, const std::string& what) {
@@ -117,12 +139,14 @@ bool parse(const std::string& text, Number& number) {
 
 }  // namespace
 
-int Config::sensor(std::string_view name) {
+int Config::sensor(std::string_view name, const std::string& where) {
     const auto at = std::find(sensor_names.begin(), sensor_names.end(), name);
     if (at != sensor_names.end()) return static_cast<int>(at - sensor_names.begin());
+    if (name.empty() || name.find('.') != std::string_view::npos)
+        fail(where, "'" + std::string(name) + "' is no name for a sensor: empty, or with a dot");
     if (params.sensor_count == Params::kMaxSensors)
-        throw ConfigError("sensors." + std::string(name) + ": there can be at most " +
-                          std::to_string(Params::kMaxSensors) + " sensors");
+        fail(where, "sensors." + std::string(name) + ": there can be at most " +
+                        std::to_string(Params::kMaxSensors) + " sensors");
     sensor_names.emplace_back(name);
     sensor_inputs.push_back({"MARKERS"});
     return params.sensor_count++;
@@ -134,25 +158,29 @@ std::vector<Field> fields(Config& c) {
         list.push_back({key, value, range, meaning});
     };
     Params& p = c.params;
-    add("map", &c.map_file, Range::any, "marker map file, relative to this file; or the list itself");
+    add("map", &c.map_file, Range::any,
+        "marker map file, relative to this file; or the list itself");
     add("motion.source", choice(p.motion.source, {"encoders", "velocity"}), Range::any,
         "which message carries the motion");
     add("motion.heading", choice(p.motion.heading, {"gyro", "wheels", "both"}), Range::any,
         "where the change of heading comes from; both: their inverse-variance mean");
     add("motion.slip_angle_rad", &p.motion.slip_angle_rad, Range::any,
         "direction of travel relative to the heading");
-    add("motion.max_gap_s", &p.motion.max_gap_s, Range::positive, "a rate holds for no longer than this");
+    add("motion.max_gap_s", &p.motion.max_gap_s, Range::positive,
+        "a rate holds for no longer than this");
     add_input(list, "encoders.", c.encoders);
     add("encoders.left_m_per_tick", &p.wheels.left_m_per_tick, Range::not_zero,
         "negative where the encoder counts down when driving forward");
     add("encoders.right_m_per_tick", &p.wheels.right_m_per_tick, Range::not_zero, "likewise");
-    add("encoders.track_width_m", &p.wheels.track_width_m, Range::positive, "between the wheels' contact points");
+    add("encoders.track_width_m", &p.wheels.track_width_m, Range::positive,
+        "between the wheels' contact points");
     add("encoders.max_speed_m_s", &p.wheels.max_speed_m_s, Range::positive,
         "motion that implies more is a counter's wrap or reset, or implausible");
     add_input(list, "velocity.", c.velocity);
     add_input(list, "gyro.", c.gyro);
     add_input(list, "pose_reset.", c.reset);
-    add("noise.wheel_m_per_sqrt_m", &p.noise.wheel_m_per_sqrt_m, Range::not_negative, "travel of each wheel");
+    add("noise.wheel_m_per_sqrt_m", &p.noise.wheel_m_per_sqrt_m, Range::not_negative,
+        "travel of each wheel");
     add("noise.gyro_rad_per_sqrt_s", &p.noise.gyro_rad_per_sqrt_s, Range::not_negative,
         "angle random walk of the gyro, or of a velocity message's omega");
     add("noise.position_m_per_sqrt_m", &p.noise.position_m_per_sqrt_m, Range::not_negative,
@@ -170,12 +198,16 @@ std::vector<Field> fields(Config& c) {
     add_calibration(list, "rotation_scale", p.rotation_scale, Range::positive);
     for (int i = 0; i < p.sensor_count; ++i)
         add_sensor(list, c.sensor_names[static_cast<std::size_t>(i)],
-                   c.sensor_inputs[static_cast<std::size_t>(i)], p.sensors[static_cast<std::size_t>(i)]);
-    add("initial.x_m", &p.initial.x_m, Range::unset_or_any, "start; without it a pose_reset_t is awaited");
+                   c.sensor_inputs[static_cast<std::size_t>(i)],
+                   p.sensors[static_cast<std::size_t>(i)]);
+    add("initial.x_m", &p.initial.x_m, Range::unset_or_any,
+        "start; without it a pose_reset_t is awaited");
     add("initial.y_m", &p.initial.y_m, Range::unset_or_any, "start");
     add("initial.heading_rad", &p.initial.heading_rad, Range::unset_or_any, "start");
-    add("initial.sigma_position_m", &p.initial.sigma_position_m, Range::not_negative, "of x and of y");
-    add("initial.sigma_heading_rad", &p.initial.sigma_heading_rad, Range::not_negative, "of the heading");
+    add("initial.sigma_position_m", &p.initial.sigma_position_m, Range::not_negative,
+        "of x and of y");
+    add("initial.sigma_heading_rad", &p.initial.sigma_heading_rad, Range::not_negative,
+        "of the heading");
     add("status.alert_limit_m", &p.status.alert_limit_m, Range::positive,
         "OK promises a 95 % radius below this");
     add("status.dead_reckoning_after_s", &p.status.dead_reckoning_after_s, Range::positive,
@@ -190,13 +222,22 @@ std::vector<Field> fields(Config& c) {
 
 Field field(Config& config, const std::string& key, const std::string& where) {
     const std::string sensors = "sensors.";
-    if (key.compare(0, sensors.size(), sensors) == 0)
-        if (const auto dot = key.find('.', sensors.size()); dot != std::string::npos)
-            config.sensor(std::string_view(key).substr(sensors.size(), dot - sensors.size()));
+    const bool of_sensor = key.compare(0, sensors.size(), sensors) == 0;
+    if (const auto dot = key.find('.', sensors.size()); of_sensor && dot != std::string::npos) {
+        const std::string name = key.substr(sensors.size(), dot - sensors.size());
+        const auto& known = config.sensor_names;
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            Config trial;  // a misspelt key must not add the sensor
+            trial.sensor(name, where);
+            (void)field(trial, key, where);
+            config.sensor(name, where);
+        }
+    }
     std::vector<Field> list = fields(config);
-    const auto nearest = std::min_element(list.begin(), list.end(), [&](const Field& a, const Field& b) {
-        return edit_distance(a.key, key) < edit_distance(b.key, key);
-    });
+    const auto nearest =
+        std::min_element(list.begin(), list.end(), [&](const Field& a, const Field& b) {
+            return edit_distance(a.key, key) < edit_distance(b.key, key);
+        });
     if (nearest->key == key) return *nearest;
     fail(where, "unknown key '" + key + "'; the nearest known key is '" + nearest->key + "'");
 }
@@ -234,7 +275,8 @@ void Field::set(const std::string& text, const std::string& where) const {
         const auto at = std::find(choice.names.begin(), choice.names.end(), text);
         if (at == choice.names.end()) {
             std::string names;
-            for (const std::string& name : choice.names) names += (names.empty() ? "" : ", ") + name;
+            for (const std::string& name : choice.names)
+                names += (names.empty() ? "" : ", ") + name;
             refuse("one of " + names);
         }
         *choice.value = static_cast<unsigned char>(at - choice.names.begin());
@@ -243,14 +285,31 @@ void Field::set(const std::string& text, const std::string& where) const {
 
 void check(const Config& config, const std::string& where) {
     const InitialParams& start = config.params.initial;
-    const int given = !std::isnan(start.x_m) + !std::isnan(start.y_m) + !std::isnan(start.heading_rad);
+    const int given =
+        !std::isnan(start.x_m) + !std::isnan(start.y_m) + !std::isnan(start.heading_rad);
     if (given != 0 && given != 3)
         fail(where, "initial needs x_m, y_m and heading_rad together, or none of them");
-    for (std::size_t i = 0; i < config.sensor_inputs.size(); ++i)
-        for (const InputParams* other : {&config.encoders, &config.velocity, &config.gyro, &config.reset})
-            if (config.sensor_inputs[i].channel == other->channel)
-                fail(where, "sensors." + config.sensor_names[i] + ".channel '" + other->channel +
-                                "' is another input's channel as well");
+    std::set<std::string> channels;
+    const auto take = [&](const std::string& name, const std::string& channel) {
+        if (!channels.insert(channel).second)
+            fail(where, name + ".channel '" + channel + "' is another input's channel as well");
+    };
+    if (config.params.motion.source == MotionSource::encoders)
+        take("encoders", config.encoders.channel);
+    else
+        take("velocity", config.velocity.channel);
+    take("gyro", config.gyro.channel);
+    take("pose_reset", config.reset.channel);
+    std::set<std::string> shared;  // by sensors, whose frames name them
+    for (std::size_t i = 0; i < config.sensor_inputs.size(); ++i) {
+        const std::string& channel = config.sensor_inputs[i].channel;
+        if (shared.insert(channel).second) take("sensors." + config.sensor_names[i], channel);
+    }
+    const OutputParams& out = config.output;
+    for (const auto& [name, channel] :
+         {std::pair{"pose", out.pose}, {"report", out.report}, {"status", out.status}})
+        if (channels.count(channel) != 0)
+            fail(where, std::string("output.") + name + " '" + channel + "' is an input's channel");
 }
 
 }  // namespace pilotage

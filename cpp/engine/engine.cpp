@@ -19,7 +19,17 @@ std::string hex(std::int64_t fingerprint) {
     return text;
 }
 
-using AnyLocalizer = std::variant<Localizer<double, kPoseStates>, Localizer<double, kCalibratedStates>>;
+/// A name from outside as it may stand in a line for a person.
+std::string printable(std::string name) {
+    constexpr std::size_t enough = 60;
+    if (name.size() > enough) name = name.substr(0, enough) + "...";
+    for (char& c : name)
+        if (c < ' ' || c > '~') c = '?';
+    return name;
+}
+
+using AnyLocalizer =
+    std::variant<Localizer<double, kPoseStates>, Localizer<double, kCalibratedStates>>;
 
 AnyLocalizer make_localizer(const Config& config, Listener& listener) {
     if (config.params.calibrates())
@@ -32,7 +42,8 @@ AnyLocalizer make_localizer(const Config& config, Listener& listener) {
 Engine::Engine(Config config, EngineOutput& output)
     : config_(std::move(config)), output_(&output), localizer_(make_localizer(config_, *this)) {
     for (std::size_t i = 0; i < config_.sensor_names.size(); ++i)
-        inputs_.emplace_back(config_.sensor_names[i], config_.sensor_inputs[i], Kind::frame, static_cast<int>(i));
+        inputs_.emplace_back(config_.sensor_names[i], config_.sensor_inputs[i], Kind::frame,
+                             static_cast<int>(i));
     motion_ = inputs_.size();
     if (config_.params.motion.source == MotionSource::encoders)
         inputs_.emplace_back("encoders", config_.encoders, Kind::encoders);
@@ -57,7 +68,8 @@ void Engine::handle(std::string_view channel, std::int64_t received, const std::
     }
     Input* input = input_for(channel, whole && codec->kind == Kind::frame ? &decoded_ : nullptr);
     if (input == nullptr) return;
-    if (codec == nullptr || codec->kind != input->kind()) return wrong_type(*input, fingerprint, codec);
+    if (codec == nullptr || codec->kind != input->kind())
+        return wrong_type(*input, fingerprint, codec);
     if (!whole) {
         input->fault(MessageFault::malformed);
         notice_once("malformed " + input->channel(),
@@ -67,9 +79,10 @@ void Engine::handle(std::string_view channel, std::int64_t received, const std::
     }
     if (input->kind() == Kind::frame && input->name() != decoded_.sensor) {
         input->fault(MessageFault::unknown_sensor);
-        notice_once("sensor " + decoded_.sensor,
-                    input->channel() + ": a frame of sensor '" + decoded_.sensor +
-                    "', which the configuration does not name; add sensors." + decoded_.sensor);
+        const std::string sensor = printable(decoded_.sensor);
+        notice_once("sensor " + sensor,
+                    input->channel() + ": a frame of sensor '" + sensor +
+                        "', which the configuration does not name; add sensors." + sensor);
         return;
     }
     input->received(received, decoded_.seq, decoded_.samples.size());
@@ -83,12 +96,14 @@ void Engine::handle(std::string_view channel, std::int64_t received, const std::
     if (moved) publish_pose();
 }
 
-/// The input of a channel; where several sensors share one, the one that the frame names, else the first.
+/// The input of a channel; where several sensors share one, the one that the frame names, else the
+/// first.
 Input* Engine::input_for(std::string_view channel, const Decoded* frame) noexcept {
     Input* found = nullptr;
     for (Input& input : inputs_) {
         if (input.channel() != channel) continue;
-        if (frame == nullptr || input.kind() != Kind::frame || input.name() == frame->sensor) return &input;
+        if (frame == nullptr || input.kind() != Kind::frame || input.name() == frame->sensor)
+            return &input;
         if (found == nullptr) found = &input;
     }
     return found;
@@ -96,18 +111,24 @@ Input* Engine::input_for(std::string_view channel, const Decoded* frame) noexcep
 
 void Engine::wrong_type(Input& input, std::int64_t fingerprint, const Codec* codec) {
     input.fault(MessageFault::wrong_type);
-    notice_once("type " + input.channel(),
-                input.channel() + ": expected " + expected_type(input.kind()) + ", got " +
-                (codec != nullptr ? codec->type : "an unknown type") + " with fingerprint " + hex(fingerprint) +
-                "; is this the right channel, and is the sender built with the same .lcm files?");
+    notice_once(
+        "type " + input.channel(),
+        input.channel() + ": expected " + expected_type(input.kind()) + ", got " +
+            (codec != nullptr ? codec->type : "an unknown type") + " with fingerprint " +
+            hex(fingerprint) +
+            "; is this the right channel, and is the sender built with the same .lcm files?");
 }
 
 void Engine::on_verdict(const Sample& sample, Verdict before, Verdict now) {
     switch (sample.stream) {
-        case Stream::sighting: return inputs_[sample.source].judged(before, now);
-        case Stream::motion: return inputs_[motion_].judged(before, now);
-        case Stream::gyro: return inputs_[gyro_].judged(before, now);
-        case Stream::reset: return inputs_[reset_].judged(before, now);
+        case Stream::sighting:
+            return inputs_[sample.source].judged(before, now);
+        case Stream::motion:
+            return inputs_[motion_].judged(before, now);
+        case Stream::gyro:
+            return inputs_[gyro_].judged(before, now);
+        case Stream::reset:
+            return inputs_[reset_].judged(before, now);
     }
 }
 
@@ -184,12 +205,18 @@ std::set<std::string> Engine::channels() const {
 
 std::string Engine::waiting_for() const {
     std::string missing;
-    const auto want = [&](const std::string& what) { missing += (missing.empty() ? "" : ", ") + what; };
-    const auto input_want = [&](const Input& input) {
-        if (!input.seen()) want(std::string(expected_type(input.kind())) + " on " + input.channel());
+    const auto want = [&](const std::string& what) {
+        missing += (missing.empty() ? "" : ", ") + what;
     };
-    const bool has_pose = std::visit([](const auto& localizer) { return localizer.has_pose(); }, localizer_);
-    if (!has_pose) want("a start pose (pose_reset_t on " + config_.reset.channel + ", or initial: in the configuration)");
+    const auto input_want = [&](const Input& input) {
+        if (!input.seen())
+            want(std::string(expected_type(input.kind())) + " on " + input.channel());
+    };
+    const bool has_pose =
+        std::visit([](const auto& localizer) { return localizer.has_pose(); }, localizer_);
+    if (!has_pose)
+        want("a start pose (pose_reset_t on " + config_.reset.channel +
+             ", or initial: in the configuration)");
     input_want(inputs_[motion_]);
     if (config_.params.motion.heading != HeadingSource::wheels) input_want(inputs_[gyro_]);
     for (std::size_t i = 0; i < config_.sensor_names.size(); ++i) input_want(inputs_[i]);

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Bytes in, messages out: the one way from input to pose, live and in replay. Reads no clock, no random
-/// number and no environment, and has no threads; time passes by ticks, which are an input like any other.
+/// Bytes in, messages out: the one way from input to pose, live and in replay. Reads no clock, no
+/// random number and no environment, and has no threads; time passes by ticks, which are an input
+/// like any other.
 
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +29,8 @@ inline constexpr const char* kSetupChannel = "PILOTAGE_SETUP";
 class EngineOutput {
    public:
     /// A message to publish.
-    virtual void message(const std::string& /*channel*/, const std::uint8_t* /*data*/, std::size_t /*size*/) {}
+    virtual void message(const std::string& /*channel*/, const std::uint8_t* /*data*/,
+                         std::size_t /*size*/) {}
     virtual void pose(const Estimate&) {}
     virtual void sighting(const SightingReport&) {}
     /// A line for a person: said once, not once a message.
@@ -47,7 +49,8 @@ class Engine final : private Listener {
 
     /// Takes a message. Anything may come: what cannot be used is counted.
     /// \param received time of arrival [us]
-    void handle(std::string_view channel, std::int64_t received, const std::uint8_t* data, std::size_t size);
+    void handle(std::string_view channel, std::int64_t received, const std::uint8_t* data,
+                std::size_t size);
 
     /// Time passes [us, receive clock]; publishes the status.
     /// \param drops datagrams that the kernel dropped so far

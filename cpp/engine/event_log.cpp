@@ -11,7 +11,8 @@ namespace pilotage {
 
 namespace {
 
-// An event: sync word, event number (8 bytes), time (8), length of channel (4) and data (4), channel, data.
+// An event: sync word, event number (8 bytes), time (8), length of channel (4) and data (4),
+// channel, data.
 constexpr std::uint8_t kSync[4] = {0xED, 0xA1, 0xDA, 0x01};
 constexpr std::size_t kHeader = 28, kLongestChannel = 255, kWindow = std::size_t{1} << 20;
 
@@ -21,7 +22,9 @@ std::uint64_t big_endian(const std::uint8_t* p, int bytes) noexcept {
     return value;
 }
 
-bool is_sync(const std::uint8_t* p) noexcept { return std::memcmp(p, kSync, sizeof kSync) == 0; }
+bool is_sync(const std::uint8_t* p) noexcept {
+    return std::memcmp(p, kSync, sizeof kSync) == 0;
+}
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
     throw std::runtime_error(path + ": cannot be " + what + ": " + std::strerror(errno));
@@ -45,7 +48,8 @@ bool LogReader::available(std::size_t bytes) {
         end_ -= begin_;
         begin_ = 0;
         if (window_.size() < bytes) window_.resize(std::max(bytes, 2 * window_.size()));
-        const std::size_t n = std::fread(window_.data() + end_, 1, window_.size() - end_, file_.get());
+        const std::size_t n =
+            std::fread(window_.data() + end_, 1, window_.size() - end_, file_.get());
         if (std::ferror(file_.get()) != 0) fail(path_, "read");
         if (n == 0) return false;
         end_ += n;
@@ -53,7 +57,8 @@ bool LogReader::available(std::size_t bytes) {
     return true;
 }
 
-/// Distance from the first unread byte to the next sync word at `from` or later; to the end without one.
+/// Distance from the first unread byte to the next sync word at `from` or later; to the end without
+/// one.
 std::size_t LogReader::find_sync(std::size_t from) {
     for (; available(from + sizeof kSync); ++from)
         if (is_sync(window_.data() + begin_ + from)) return from;
@@ -61,7 +66,8 @@ std::size_t LogReader::find_sync(std::size_t from) {
 }
 
 void LogReader::skip_to(std::size_t next_event) {
-    damage_.push_back(path_ + ": damaged, " + std::to_string(next_event) + " bytes skipped from byte " +
+    damage_.push_back(path_ + ": damaged, " + std::to_string(next_event) +
+                      " bytes skipped from byte " +
                       std::to_string(offset_ + static_cast<std::int64_t>(begin_)));
     begin_ += next_event;
 }
@@ -80,8 +86,8 @@ bool LogReader::next(LogEvent& event) {
             skip_to(find_sync(sizeof kSync));
             continue;
         }
-        // Where no event follows, either this one's length is wrong and the next begins inside it, or this one
-        // is whole and the damage comes after it.
+        // Where no event follows, either this one's length is wrong and the next begins inside it,
+        // or this one is whole and the damage comes after it.
         if (available(whole + sizeof kSync) && !is_sync(window_.data() + begin_ + whole))
             if (const std::size_t inside = find_sync(sizeof kSync); inside < whole) {
                 skip_to(inside);
@@ -99,14 +105,19 @@ bool LogReader::next(LogEvent& event) {
 }
 
 double LogReader::done() const noexcept {
-    return size_ == 0 ? 1.0 : static_cast<double>(offset_ + static_cast<std::int64_t>(begin_)) / static_cast<double>(size_);
+    return size_ == 0 ? 1.0
+                      : static_cast<double>(offset_ + static_cast<std::int64_t>(begin_)) /
+                            static_cast<double>(size_);
 }
 
-LogWriter::LogWriter(const std::string& path) : path_(path), log_(lcm_eventlog_create(path.c_str(), "w")) {
+LogWriter::LogWriter(const std::string& path)
+    : path_(path), log_(lcm_eventlog_create(path.c_str(), "w")) {
     if (log_ == nullptr) fail(path_, "opened");
 }
 
-LogWriter::~LogWriter() { lcm_eventlog_destroy(log_); }
+LogWriter::~LogWriter() {
+    lcm_eventlog_destroy(log_);
+}
 
 void LogWriter::write(const LogEvent& event) {
     channel_.assign(event.channel);
@@ -116,13 +127,11 @@ void LogWriter::write(const LogEvent& event) {
     e.channellen = static_cast<std::int32_t>(channel_.size());
     e.data = const_cast<std::uint8_t*>(event.data);  // liblcm only reads it
     e.datalen = static_cast<std::int32_t>(event.size);
-    if (lcm_eventlog_write_event(log_, &e) != 0)
-        fail(path_, "written");
+    if (lcm_eventlog_write_event(log_, &e) != 0) fail(path_, "written");
 }
 
 void LogWriter::flush() {
-    if (std::fflush(log_->f) != 0)
-        fail(path_, "written");
+    if (std::fflush(log_->f) != 0) fail(path_, "written");
 }
 
 }  // namespace pilotage

@@ -21,8 +21,8 @@ struct LogEvent {
     std::size_t size = 0;
 };
 
-/// Reads a log to its end, over damaged places, which it counts and names. Not liblcm's reader, which ends
-/// in silence at the first of them and allocates for every event.
+/// Reads a log to its end, over damaged places, which it counts and names. Not liblcm's reader,
+/// which ends in silence at the first of them and allocates for every event.
 class LogReader {
    public:
     /// \throws std::runtime_error if the file cannot be opened

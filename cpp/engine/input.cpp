@@ -4,6 +4,15 @@
 
 namespace pilotage {
 
+namespace {
+
+/// Of any two times, also where their difference does not fit in 64 bits.
+double seconds_from(std::int64_t from_us, std::int64_t to_us) noexcept {
+    return (static_cast<double>(to_us) - static_cast<double>(from_us)) * 1e-6;
+}
+
+}  // namespace
+
 const char* name(MessageFault fault) noexcept {
     constexpr const char* names[kMessageFaults] = {"wrong_type", "malformed", "unknown_sensor"};
     return names[static_cast<int>(fault)];
@@ -17,17 +26,16 @@ Input::Input(std::string name, const InputParams& params, Kind kind, int sensor)
       latency_us_(std::llround(params.latency_s * 1e6)) {}
 
 std::int64_t Input::date(std::int64_t utime, std::int64_t received) noexcept {
-    // Stamps may be anything, so sums of them are made where they wrap instead of overflowing.
-    const auto u = [](std::int64_t t) { return static_cast<std::uint64_t>(t); };
+    // Stamps may be anything: those of no clock do not move the map, and sums wrap instead of
+    // overflowing.
     constexpr std::int64_t limit = std::int64_t{1} << 61;
-    if (utime > limit || utime < -limit || received > limit || received < -limit) return utime;
-    const std::int64_t mapped = clock_.map(utime, received);
-    switch (params_.time) {
-        case TimePolicy::utime: return static_cast<std::int64_t>(u(utime) - u(latency_us_));
-        case TimePolicy::receive: return static_cast<std::int64_t>(u(received) - u(latency_us_));
-        case TimePolicy::mapped: return static_cast<std::int64_t>(u(mapped) - u(latency_us_));
-    }
-    return utime;
+    const auto of_a_clock = [](std::int64_t t) { return -limit <= t && t <= limit; };
+    std::int64_t time =
+        of_a_clock(utime) && of_a_clock(received) ? clock_.map(utime, received) : utime;
+    if (params_.time == TimePolicy::utime) time = utime;
+    if (params_.time == TimePolicy::receive) time = received;
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(time) -
+                                     static_cast<std::uint64_t>(latency_us_));
 }
 
 void Input::received(std::int64_t received, std::int32_t seq, std::size_t samples) noexcept {
@@ -36,7 +44,7 @@ void Input::received(std::int64_t received, std::int32_t seq, std::size_t sample
         const std::int64_t gap = std::int64_t{seq} - last_seq_ - 1;
         if (gap > 0) lost_ += gap;
         constexpr double smoothing = 0.05;
-        const double dt_s = static_cast<double>(received - last_received_) * 1e-6;
+        const double dt_s = seconds_from(last_received_, received);
         interval_s_ += (interval_s_ == 0 ? 1 : smoothing) * (dt_s - interval_s_);
     }
     seen_ = true;
@@ -45,7 +53,9 @@ void Input::received(std::int64_t received, std::int32_t seq, std::size_t sample
     verdicts_[static_cast<int>(Verdict::pending)] += static_cast<std::int64_t>(samples);
 }
 
-void Input::fault(MessageFault fault) noexcept { ++faults_[static_cast<int>(fault)]; }
+void Input::fault(MessageFault fault) noexcept {
+    ++faults_[static_cast<int>(fault)];
+}
 
 void Input::judged(Verdict before, Verdict now) noexcept {
     --verdicts_[static_cast<int>(before)];
@@ -62,8 +72,8 @@ std::int64_t Input::samples() const noexcept {
 input_status_t Input::status(std::int64_t now) const {
     input_status_t s;
     s.channel = params_.channel;
-    s.rate_hz = interval_s_ > 0 ? 1 / interval_s_ : NAN;
-    s.age_s = seen_ ? static_cast<double>(now - last_received_) * 1e-6 : NAN;
+    s.rate_hz = interval_s_ >= 1e-6 ? 1 / interval_s_ : NAN;
+    s.age_s = seen_ ? seconds_from(last_received_, now) : NAN;
     s.received = samples();
     s.fused = count(Verdict::fused);
     s.pending = count(Verdict::pending);

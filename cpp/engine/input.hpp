@@ -37,8 +37,12 @@ class Input {
     void fault(MessageFault fault) noexcept;
     void judged(Verdict before, Verdict now) noexcept;
 
-    [[nodiscard]] std::int64_t count(Verdict v) const noexcept { return verdicts_[static_cast<int>(v)]; }
-    [[nodiscard]] std::int64_t count(MessageFault f) const noexcept { return faults_[static_cast<int>(f)]; }
+    [[nodiscard]] std::int64_t count(Verdict v) const noexcept {
+        return verdicts_[static_cast<int>(v)];
+    }
+    [[nodiscard]] std::int64_t count(MessageFault f) const noexcept {
+        return faults_[static_cast<int>(f)];
+    }
     [[nodiscard]] std::int64_t samples() const noexcept;
     [[nodiscard]] bool seen() const noexcept { return seen_; }
     [[nodiscard]] input_status_t status(std::int64_t now) const;

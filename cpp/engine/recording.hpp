@@ -19,7 +19,8 @@ class Recording {
     /// \throws std::runtime_error
     void save(const std::string& path) const;
 
-    void add(std::int64_t received, std::string_view channel, const std::uint8_t* data, std::size_t size);
+    void add(std::int64_t received, std::string_view channel, const std::uint8_t* data,
+             std::size_t size);
 
     /// Encodes and adds a message of an lcm-gen type.
     template <typename Message>
@@ -28,7 +29,8 @@ class Recording {
         add(received, channel, buffer_.data(), buffer_.size());
     }
 
-    /// By time of arrival; messages that arrived at once stay in the order in which they were added.
+    /// By time of arrival; messages that arrived at once stay in the order in which they were
+    /// added.
     void sort();
 
     [[nodiscard]] std::size_t size() const noexcept { return events_.size(); }

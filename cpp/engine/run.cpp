@@ -9,7 +9,8 @@
 
 namespace pilotage {
 
-Run::Run(Config config, bool keep_messages) : keep_messages_(keep_messages), engine_(std::move(config), *this) {}
+Run::Run(Config config, bool keep_messages)
+    : keep_messages_(keep_messages), engine_(std::move(config), *this) {}
 
 void Run::handle(const LogEvent& event) {
     ++messages_;
@@ -47,27 +48,38 @@ void Run::message(const std::string& channel, const std::uint8_t* data, std::siz
 }
 
 Run::PoseRow Run::row_of(const Estimate& e) noexcept {
-    PoseRow row{e.utime, e.pose[kX], e.pose[kY], e.pose[kHeading], {}, e.v_m_s, e.omega_rad_s,
-                static_cast<std::int8_t>(e.status), e.resets};
+    PoseRow row{e.utime, e.pose[kX], e.pose[kY],    e.pose[kHeading],
+                {},      e.v_m_s,    e.omega_rad_s, static_cast<std::int8_t>(e.status),
+                e.resets};
     std::copy_n(e.covariance.data(), 9, &row.covariance[0][0]);
     return row;
 }
 
-void Run::pose(const Estimate& e) { poses_.push_back(row_of(e)); }
+void Run::pose(const Estimate& e) {
+    poses_.push_back(row_of(e));
+}
 
-void Run::sighting(const SightingReport& report) { reports_.push_back(report); }
+void Run::sighting(const SightingReport& report) {
+    reports_.push_back(report);
+}
 
-void Run::notice(const std::string& text) { notices_.push_back(text); }
+void Run::notice(const std::string& text) {
+    notices_.push_back(text);
+}
 
 std::vector<SightingReport> Run::final_reports() const {
-    std::map<std::tuple<std::int64_t, std::uint8_t, std::int32_t, std::uint16_t, std::int32_t>, std::size_t> at;
+    std::map<std::tuple<std::int64_t, std::uint8_t, std::int32_t, std::uint16_t, std::int32_t>,
+             std::size_t>
+        at;
     std::vector<SightingReport> rows;
     for (const SightingReport& report : reports_) {
-        if (report.verdict == Verdict::duplicate) {  // not a revision of the sighting that it repeats
+        if (report.verdict ==
+            Verdict::duplicate) {  // not a revision of the sighting that it repeats
             rows.push_back(report);
             continue;
         }
-        const auto key = std::make_tuple(report.utime, report.sensor, report.frame_seq, report.index, report.id);
+        const auto key =
+            std::make_tuple(report.utime, report.sensor, report.frame_seq, report.index, report.id);
         const auto [place, fresh] = at.emplace(key, rows.size());
         if (fresh)
             rows.push_back(report);
@@ -83,7 +95,8 @@ void Run::write_poses_csv(const std::string& path) const {
     for (const PoseRow& row : poses_) {
         const auto& p = row.covariance;
         out.integer(row.utime);
-        for (const double v : {row.x, row.y, row.heading, p[0][0], p[0][1], p[0][2], p[1][1], p[1][2], p[2][2], row.v, row.omega})
+        for (const double v : {row.x, row.y, row.heading, p[0][0], p[0][1], p[0][2], p[1][1],
+                               p[1][2], p[2][2], row.v, row.omega})
             out.number(v, ',');
         out.integer(row.status, ',');
         out.integer(row.resets, ',');
@@ -96,7 +109,8 @@ void Run::write_poses_tum(const std::string& path) const {
     TextTable out(path);
     for (const PoseRow& row : poses_) {
         out.seconds(row.utime);
-        for (const double v : {row.x, row.y, 0.0, 0.0, 0.0, std::sin(row.heading / 2), std::cos(row.heading / 2)})
+        for (const double v :
+             {row.x, row.y, 0.0, 0.0, 0.0, std::sin(row.heading / 2), std::cos(row.heading / 2)})
             out.number(v, ' ');
         out.line("");
     }
@@ -106,13 +120,14 @@ void Run::write_poses_tum(const std::string& path) const {
 void Run::write_reports_csv(const std::string& path) const {
     TextTable out(path);
     out.line(
-        "utime,sensor,frame_seq,index,id,revision,innovation_bearing,innovation_elevation,innovation_range,"
+        "utime,sensor,frame_seq,index,id,revision,innovation_bearing,innovation_elevation,"
+        "innovation_range,"
         "sigma_bearing,sigma_elevation,sigma_range,nis,dof,weight,verdict,value,limit,unit");
     for (const SightingReport& r : final_reports()) {
         out.integer(r.utime);
         out.word(engine_.config().sensor_names[r.sensor], ',');
-        for (const std::int64_t v : {std::int64_t{r.frame_seq}, std::int64_t{r.index}, std::int64_t{r.id},
-                                     std::int64_t{r.revision}})
+        for (const std::int64_t v : {std::int64_t{r.frame_seq}, std::int64_t{r.index},
+                                     std::int64_t{r.id}, std::int64_t{r.revision}})
             out.integer(v, ',');
         for (const double v : r.innovation) out.number(v, ',');
         for (const double v : r.sigma) out.number(v, ',');

@@ -16,14 +16,18 @@ constexpr std::size_t kFlushAt = std::size_t{1} << 16;
     throw std::runtime_error(path + ": cannot be " + what + ": " + std::strerror(errno));
 }
 
-bool separates(char c) noexcept { return c == ' ' || c == '\t' || c == ',' || c == '\r'; }
+bool separates(char c) noexcept {
+    return c == ' ' || c == '\t' || c == ',' || c == '\r';
+}
 
 std::string read_all(const std::string& path) {
-    const std::unique_ptr<std::FILE, decltype(&std::fclose)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+    const std::unique_ptr<std::FILE, decltype(&std::fclose)> file(std::fopen(path.c_str(), "rb"),
+                                                                  &std::fclose);
     if (!file) fail(path, "opened");
     std::string text;
     char block[1 << 16];
-    while (const std::size_t n = std::fread(block, 1, sizeof block, file.get())) text.append(block, n);
+    while (const std::size_t n = std::fread(block, 1, sizeof block, file.get()))
+        text.append(block, n);
     if (std::ferror(file.get())) fail(path, "read");
     return text;
 }
@@ -41,15 +45,19 @@ void TextTable::put(const char* text, std::size_t size, char before) {
 
 void TextTable::number(double v, char before) {
     char text[32];
-    put(text, static_cast<std::size_t>(std::to_chars(text, text + sizeof text, v).ptr - text), before);
+    put(text, static_cast<std::size_t>(std::to_chars(text, text + sizeof text, v).ptr - text),
+        before);
 }
 
 void TextTable::integer(std::int64_t v, char before) {
     char text[24];
-    put(text, static_cast<std::size_t>(std::to_chars(text, text + sizeof text, v).ptr - text), before);
+    put(text, static_cast<std::size_t>(std::to_chars(text, text + sizeof text, v).ptr - text),
+        before);
 }
 
-void TextTable::word(std::string_view v, char before) { put(v.data(), v.size(), before); }
+void TextTable::word(std::string_view v, char before) {
+    put(v.data(), v.size(), before);
+}
 
 void TextTable::seconds(std::int64_t utime, char before) {
     char text[40];
@@ -62,12 +70,14 @@ void TextTable::line(std::string_view v) {
     buffer_ += v;
     buffer_ += '\n';
     if (buffer_.size() < kFlushAt) return;
-    if (std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size()) fail(path_, "written");
+    if (std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size())
+        fail(path_, "written");
     buffer_.clear();
 }
 
 void TextTable::close() {
-    const bool whole = std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) == buffer_.size();
+    const bool whole =
+        std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) == buffer_.size();
     if (!whole || std::fclose(file_.release()) != 0) fail(path_, "written");
 }
 
@@ -107,8 +117,8 @@ std::vector<double> read_table(const std::string& path, const std::vector<int>& 
                      std::to_string(width));
         for (const int column : columns) {
             if (column < 0 || static_cast<std::size_t>(column) >= width)
-                complain("has " + std::to_string(width) + " columns, column " + std::to_string(column + 1) +
-                         " is needed");
+                complain("has " + std::to_string(width) + " columns, column " +
+                         std::to_string(column + 1) + " is needed");
             rows.push_back(fields[static_cast<std::size_t>(column)]);
         }
     }

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Tables of numbers as text, written and read fast: std::to_chars and std::from_chars give the shortest
-/// text that reads back as the same number, whatever the locale.
+/// Tables of numbers as text, written and read fast: std::to_chars and std::from_chars give the
+/// shortest text that reads back as the same number, whatever the locale.
 
 #include <cstdint>
 #include <cstdio>
@@ -36,11 +36,12 @@ class TextTable {
     std::string buffer_;
 };
 
-/// Columns of a table of numbers separated by blanks, tabs or commas; lines that are empty or begin with # or
-/// % are passed over. Columns count from 0.
+/// Columns of a table of numbers separated by blanks, tabs or commas; lines that are empty or begin
+/// with # or % are passed over. Columns count from 0.
 /// \return row-major, columns.size() numbers a row
-/// \throws std::invalid_argument naming file and line where a row is ragged or a field is no number,
-/// std::runtime_error if the file cannot be read
-[[nodiscard]] std::vector<double> read_table(const std::string& path, const std::vector<int>& columns);
+/// \throws std::invalid_argument naming file and line where a row is ragged or a field is no
+/// number, std::runtime_error if the file cannot be read
+[[nodiscard]] std::vector<double> read_table(const std::string& path,
+                                             const std::vector<int>& columns);
 
 }  // namespace pilotage

@@ -6,7 +6,8 @@
 
 namespace pilotage {
 
-/// Datagrams that the kernel dropped on this process's UDP sockets so far; 0 where /proc does not say.
+/// Datagrams that the kernel dropped on this process's UDP sockets so far; 0 where /proc does not
+/// say.
 [[nodiscard]] std::int64_t kernel_drops();
 
 }  // namespace pilotage

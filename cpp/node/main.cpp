@@ -13,10 +13,12 @@ namespace {
 
 volatile std::sig_atomic_t stop = 0;
 
-void on_signal(int) { stop = 1; }
+void on_signal(int) {
+    stop = 1;
+}
 
 void catch_signals() {
-    struct sigaction action {};
+    struct sigaction action{};
     action.sa_handler = &on_signal;  // without SA_RESTART: a signal ends the wait for messages
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
@@ -28,7 +30,8 @@ std::string with_large_buffer(std::string url) {
         const char* set = std::getenv("LCM_DEFAULT_URL");
         url = set != nullptr && *set != '\0' ? set : "udpm://239.255.76.67:7667?ttl=0";
     }
-    if (url.compare(0, 7, "udpm://") != 0 || url.find("recv_buf_size") != std::string::npos) return url;
+    if (url.compare(0, 7, "udpm://") != 0 || url.find("recv_buf_size") != std::string::npos)
+        return url;
     return url + (url.find('?') == std::string::npos ? "?" : "&") + "recv_buf_size=2097152";
 }
 
@@ -47,18 +50,21 @@ int main(int argc, char** argv) {
     Config config;
     try {
         config = load_config(options.config);
-        if (config.map.markers().empty()) throw ConfigError(options.config + ": 'map' is missing: name a file of markers");
-        if (config.sensor_names.empty()) throw ConfigError(options.config + ": 'sensors' is missing: name at least one");
+        if (config.map.markers().empty())
+            throw ConfigError(options.config + ": 'map' is missing: name a file of markers");
+        if (config.sensor_names.empty())
+            throw ConfigError(options.config + ": 'sensors' is missing: name at least one");
     } catch (const std::exception& error) {
         return fail(kBadConfiguration, error.what());
     }
     const std::string url = with_large_buffer(options.lcm_url);
     lcm_t* lcm = lcm_create(url.c_str());
     if (lcm == nullptr)
-        return fail(kFailed, "LCM cannot use " + url +
-                                 "\n  Is there a route for multicast? On one machine without a network:\n"
-                                 "    sudo ip link set lo multicast on\n"
-                                 "    sudo ip route add 224.0.0.0/4 dev lo");
+        return fail(kFailed,
+                    "LCM cannot use " + url +
+                        "\n  Is there a route for multicast? On one machine without a network:\n"
+                        "    sudo ip link set lo multicast on\n"
+                        "    sudo ip route add 224.0.0.0/4 dev lo");
     int result = kDone;
     try {
         Node node(config, lcm, options.record);

@@ -37,7 +37,8 @@ std::string literally(const std::string& channel) {
 
 }  // namespace
 
-Node::Node(const Config& config, lcm_t* lcm, const std::string& record) : lcm_(lcm), engine_(config, *this) {
+Node::Node(const Config& config, lcm_t* lcm, const std::string& record)
+    : lcm_(lcm), engine_(config, *this) {
     if (!record.empty()) {
         log_ = std::make_unique<LogWriter>(record);
         setup_t setup{};
@@ -74,7 +75,8 @@ void Node::received(const lcm_recv_buf_t* buffer, const char* channel, void* sel
     Node& node = *static_cast<Node*>(self);
     const auto* data = static_cast<const std::uint8_t*>(buffer->data);
     node.received_ = buffer->recv_utime;
-    // The input goes into the log before what it gives rise to, which is published before it is logged.
+    // The input goes into the log before what it gives rise to, which is published before it is
+    // logged.
     node.record(node.received_, channel, data, buffer->data_size);
     node.engine_.handle(channel, node.received_, data, buffer->data_size);
 }
@@ -103,14 +105,17 @@ void Node::message(const std::string& channel, const std::uint8_t* data, std::si
     record(received_, channel, data, size);
 }
 
-void Node::notice(const std::string& text) { std::fprintf(stderr, "pilotage-node: %s\n", text.c_str()); }
+void Node::notice(const std::string& text) {
+    std::fprintf(stderr, "pilotage-node: %s\n", text.c_str());
+}
 
 void Node::record(std::int64_t received, std::string_view channel, const std::uint8_t* data,
                   std::size_t size) {
     to_log([&](LogWriter& log) { log.write({received, channel, data, size}); });
 }
 
-/// Does something with the recording, if there is one; where that fails, localizing goes on without it.
+/// Does something with the recording, if there is one; where that fails, localizing goes on without
+/// it.
 template <typename Action>
 void Node::to_log(const Action& action) {
     if (!log_) return;

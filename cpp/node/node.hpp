@@ -33,7 +33,8 @@ class Node final : private EngineOutput {
     static void received(const _lcm_recv_buf_t* buffer, const char* channel, void* self);
     void tick(std::int64_t now);
     void say_what_is_missing();
-    void record(std::int64_t received, std::string_view channel, const std::uint8_t* data, std::size_t size);
+    void record(std::int64_t received, std::string_view channel, const std::uint8_t* data,
+                std::size_t size);
     template <typename Action>
     void to_log(const Action& action);
     template <typename Message>

@@ -40,16 +40,29 @@ Options parse_options(int argc, char** argv) {
     int choice = 0;
     while ((choice = getopt_long(argc, argv, "c:l:r:vh", known, nullptr)) != -1) {
         switch (choice) {
-            case 'c': options.config = optarg; break;
-            case 'l': options.lcm_url = optarg; break;
-            case 'r': options.record = optarg; break;
-            case 'v': std::puts("pilotage-node " PILOTAGE_VERSION); std::exit(kDone);
-            case 'h': std::fputs(kHelp, stdout); std::exit(kDone);
-            default: std::fputs("see pilotage-node --help\n", stderr); std::exit(kBadConfiguration);
+            case 'c':
+                options.config = optarg;
+                break;
+            case 'l':
+                options.lcm_url = optarg;
+                break;
+            case 'r':
+                options.record = optarg;
+                break;
+            case 'v':
+                std::puts("pilotage-node " PILOTAGE_VERSION);
+                std::exit(kDone);
+            case 'h':
+                std::fputs(kHelp, stdout);
+                std::exit(kDone);
+            default:
+                std::fputs("see pilotage-node --help\n", stderr);
+                std::exit(kBadConfiguration);
         }
     }
     if (optind < argc) {
-        std::fprintf(stderr, "pilotage-node: unknown argument '%s'; see pilotage-node --help\n", argv[optind]);
+        std::fprintf(stderr, "pilotage-node: unknown argument '%s'; see pilotage-node --help\n",
+                     argv[optind]);
         std::exit(kBadConfiguration);
     }
     if (options.config.empty()) {

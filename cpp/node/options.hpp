@@ -15,8 +15,8 @@ struct Options {
 /// Exit codes of the node.
 enum ExitCode : int { kDone = 0, kFailed = 1, kBadConfiguration = 2 };
 
-/// Reads the command line. Prints help or the version and exits with 0 where they are asked for; exits with 2
-/// where the words are off.
+/// Reads the command line. Prints help or the version and exits with 0 where they are asked for;
+/// exits with 2 where the words are off.
 [[nodiscard]] Options parse_options(int argc, char** argv);
 
 }  // namespace pilotage

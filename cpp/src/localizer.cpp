@@ -7,13 +7,15 @@ namespace pilotage {
 namespace {
 
 constexpr std::int64_t kMicroseconds = 1'000'000;
-constexpr std::int64_t kLastTime = std::int64_t{1} << 60;  // differences of such times fit in 64 bits
-constexpr double kFastestTurn_rad_s = 100;                 // no ground robot turns faster
-constexpr double kFarthest = 1e7;  // m or rad: no pose is farther off, nor is one known so badly
-constexpr double kChiSquare95 = 5.991464547107979;         // of two degrees of freedom
+constexpr std::int64_t kLastTime = std::int64_t{1}
+                                   << 60;   // differences of such times fit in 64 bits
+constexpr double kFastestTurn_rad_s = 100;  // no ground robot turns faster
+constexpr double kFarthest = 1e7;           // m or rad, no pose is farther off
+constexpr double kUnsurest =
+    1e9;  // m^2 or rad^2; of more, rounding would leave negative variances behind
+constexpr double kChiSquare95 = 5.991464547107979;  // of two degrees of freedom
 
-/// What is wrong with the numbers of a reset; `pending` if nothing. Beyond the limits a covariance would
-/// overflow on its way.
+/// What is wrong with the numbers of a reset; `pending` if nothing.
 Verdict examine_numbers(const PoseReset& reset) noexcept {
     bool finite = true, plausible = true;
     const auto look = [&](double v, double limit) {
@@ -21,7 +23,7 @@ Verdict examine_numbers(const PoseReset& reset) noexcept {
         plausible = plausible && std::abs(v) <= limit;
     };
     for (const double v : reset.pose) look(v, kFarthest);
-    for (const double v : reset.covariance) look(v, kFarthest * kFarthest);
+    for (const double v : reset.covariance) look(v, kUnsurest);
     return !finite ? Verdict::bad_value : plausible ? Verdict::pending : Verdict::implausible;
 }
 
@@ -45,7 +47,9 @@ bool usable(const Sighting& sighting) noexcept {
 }
 
 /// Motion samples hold a track, the others only what was said about them.
-bool is_motion(const Sample& sample) noexcept { return sample.stream == Stream::motion; }
+bool is_motion(const Sample& sample) noexcept {
+    return sample.stream == Stream::motion;
+}
 
 }  // namespace
 
@@ -62,11 +66,12 @@ Localizer<Scalar, N>::Localizer(const Params& params, MarkerMap map, Listener& l
     const InitialParams& start = params.initial;
     if (std::isnan(start.x_m) || std::isnan(start.y_m) || std::isnan(start.heading_rad)) return;
     const auto square = [](double sigma) { return Scalar(sigma * sigma); };
-    const Vector<Scalar, 3> variances(square(start.sigma_position_m), square(start.sigma_position_m),
+    const Vector<Scalar, 3> variances(square(start.sigma_position_m),
+                                      square(start.sigma_position_m),
                                       square(start.sigma_heading_rad));
-    base_.filter = start_filter<Scalar, N>(
-        {Scalar(start.x_m), Scalar(start.y_m), wrap(Scalar(start.heading_rad))}, variances.asDiagonal(),
-        params_);
+    base_.filter =
+        start_filter<Scalar, N>({Scalar(start.x_m), Scalar(start.y_m), Scalar(start.heading_rad)},
+                                variances.asDiagonal(), params_);
     initialized_ = true;
 }
 
@@ -123,7 +128,7 @@ Verdict Localizer<Scalar, N>::examine(const Sample& sample) const noexcept {
 
 template <typename Scalar, int N>
 bool Localizer<Scalar, N>::refuse(const Sample& sample, Verdict verdict, double value,
-                                     double limit) noexcept {
+                                  double limit) noexcept {
     if (sample.stream == Stream::sighting) {
         SightingReport report = blank_report(sample, verdict);
         report.value = value;
@@ -154,7 +159,8 @@ bool Localizer<Scalar, N>::insert(const Sample& sample) noexcept {
     }
     const bool newest_motion = motion_before(history_.size()) == place;
     recompute(place);
-    forget_before(newest().utime - static_cast<std::int64_t>(params_.history.window_s * kMicroseconds));
+    forget_before(newest().utime -
+                  static_cast<std::int64_t>(params_.history.window_s * kMicroseconds));
     return newest_motion;
 }
 
@@ -168,8 +174,8 @@ void Localizer<Scalar, N>::forget_before(std::int64_t horizon) noexcept {
     }
 }
 
-/// Drops the oldest samples up to a motion sample, where `base_` then stands; where there is none, what
-/// waits longest.
+/// Drops the oldest samples up to a motion sample, where `base_` then stands; where there is none,
+/// what waits longest.
 template <typename Scalar, int N>
 void Localizer<Scalar, N>::forget_step() noexcept {
     const std::size_t end = first_motion();
@@ -183,7 +189,8 @@ void Localizer<Scalar, N>::forget_front() noexcept {
     if (is_motion(front.sample))
         base_ = front.track;
     else if (front.sample.stream == Stream::gyro)
-        base_.gyro.add(front.sample.utime, front.sample.payload.gyro.rate_rad_s, params_.motion.max_gap_s);
+        base_.gyro.add(front.sample.utime, front.sample.payload.gyro.rate_rad_s,
+                       params_.motion.max_gap_s);
     else if (front.verdict == Verdict::pending)
         dismiss(front, Verdict::no_motion);
     history_.pop_front();
@@ -257,14 +264,15 @@ Increment<Scalar> Localizer<Scalar, N>::measured_motion(Track& track, Node& moti
         const BodyVelocity& velocity = motion.sample.payload.velocity;
         const auto held_s = Scalar(std::fmin(dt_s, params.max_gap_s));
         if (track.started)
-            u = from_velocity(Scalar(velocity.v_m_s), Scalar(velocity.omega_rad_s), held_s, params_.noise);
+            u = from_velocity(Scalar(velocity.v_m_s), Scalar(velocity.omega_rad_s), held_s,
+                              params_.noise);
     } else if (track.started) {
         double left_m = 0, right_m = 0;
         const TickFault fault =
             track.ticks.advance(motion.sample.payload.ticks, dt_s, params_.wheels, left_m, right_m);
         if (fault == TickFault::reset) verdict = Verdict::counter_reset;
-        u = from_wheels(Scalar(left_m), Scalar(right_m), Scalar(dt_s), Scalar(params_.wheels.track_width_m),
-                        params_.noise);
+        u = from_wheels(Scalar(left_m), Scalar(right_m), Scalar(dt_s),
+                        Scalar(params_.wheels.track_width_m), params_.noise);
     } else {
         track.ticks.start(motion.sample.payload.ticks);
     }
@@ -296,8 +304,8 @@ void Localizer<Scalar, N>::correct(Track& track, Node& node) noexcept {
         settle(node, Verdict::fused);
         return;
     }
-    SightingReport report = fuse_sighting(track.filter, sample, map_, params_.sensors[sample.source],
-                                          policies_[sample.source]);
+    SightingReport report = fuse_sighting(track.filter, sample, map_,
+                                          params_.sensors[sample.source], policies_[sample.source]);
     if (report.verdict == Verdict::fused) {
         track.confirmed = true;
         track.last_fix_utime = sample.utime;

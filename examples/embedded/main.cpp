@@ -1,6 +1,6 @@
-/// The localizer on a microcontroller: no LCM, no files, no exceptions, single precision. Here a robot
-/// drives a circle past two markers; on yours, encoder and camera interrupts fill the samples.
-/// Build: see CMakeLists.txt beside this file.
+/// The localizer on a microcontroller: no LCM, no files, no exceptions, single precision. Here a
+/// robot drives a circle past two markers; on yours, encoder and camera interrupts fill the
+/// samples. Build: see CMakeLists.txt beside this file.
 
 #include <cmath>
 
@@ -36,7 +36,8 @@ Params circle_params() {
 
 /// What the robot's camera sees of a marker from the true pose at `angle` on the circle.
 Sighting look(const Marker& marker, double angle) {
-    const double dx = marker.x_m - kRadius_m * std::cos(angle), dy = marker.y_m - kRadius_m * std::sin(angle);
+    const double dx = marker.x_m - kRadius_m * std::cos(angle),
+                 dy = marker.y_m - kRadius_m * std::sin(angle);
     const double bearing = wrap(std::atan2(dy, dx) - (angle + kPi<double> / 2));
     return {{bearing, NAN, std::sqrt(dx * dx + dy * dy)}, {NAN, NAN, NAN}, marker.id, -1};
 }
@@ -46,14 +47,16 @@ Sighting look(const Marker& marker, double angle) {
 int main() {
     const Marker markers[] = {{1, 0.0, 0.0, 0.0, 0.0}, {2, 6.0, 2.0, 0.0, 0.0}};
     Counter counter;
-    Localizer<float, kPoseStates> localizer(circle_params(), MarkerMap({markers[0], markers[1]}), counter);
+    Localizer<float, kPoseStates> localizer(circle_params(), MarkerMap({markers[0], markers[1]}),
+                                            counter);
     double angle = 0;
     for (int i = 0; i < 2000; ++i) {
         const auto utime = static_cast<std::int64_t>(i * kStep_s * 1e6);
         angle = i * kStep_s * kSpeed_m_s / kRadius_m;
         const auto ticks = [&](double radius) { return std::llround(angle * radius / kTick_m); };
-        localizer.add(Sample::make(utime, i, Stream::motion,
-                                   EncoderTicks{ticks(kRadius_m - kTrack_m / 2), ticks(kRadius_m + kTrack_m / 2)}));
+        localizer.add(Sample::make(
+            utime, i, Stream::motion,
+            EncoderTicks{ticks(kRadius_m - kTrack_m / 2), ticks(kRadius_m + kTrack_m / 2)}));
         if (i % 10 == 5)
             for (const Marker& marker : markers)
                 localizer.add(Sample::make(utime, i, Stream::sighting, look(marker, angle), 0,
@@ -62,6 +65,7 @@ int main() {
     const Estimate estimate = localizer.estimate();
     const double error_m = std::hypot(estimate.pose[kX] - kRadius_m * std::cos(angle),
                                       estimate.pose[kY] - kRadius_m * std::sin(angle));
-    // Zero if the pose is right and every sighting but the newest, which waits for motion, was fused.
+    // Zero if the pose is right and every sighting but the newest, which waits for motion, was
+    // fused.
     return error_m < 0.01 && counter.fused >= 396 && counter.rejected_sightings == 0 ? 0 : 1;
 }

@@ -12,7 +12,8 @@ import lcm
 
 from . import Config, Recording
 
-URL = "udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304"
+URL = "udpm://239.255.76.67:7668?ttl=0&recv_buf_size=4194304"
+"""Another port than LCM's own: what is only tried out must not reach a robot that runs here."""
 OUTSTANDING = 50
 """Motion samples sent ahead of the poses that answer them."""
 PATIENCE_S = 10.0

@@ -1,4 +1,4 @@
-"""The folder that a run leaves behind."""
+"""The folder that a run leaves behind; `stored` reads it again."""
 
 from pathlib import Path
 from typing import Any
@@ -28,8 +28,15 @@ def save_results(
         run.write_reports_csv(str(folder / "reports.csv"))
         (folder / "config.yaml").write_text(config.to_yaml(), encoding="utf-8")
         metrics.save(folder / "metrics.json")
+        if truth is not None:
+            _write_truth(truth, folder / "truth.csv")
         if figures:
             from .plot import save_all
 
             save_all(run, truth, config.map, folder)
     return table_rows(metrics)
+
+
+def _write_truth(truth: NDArray[Any], path: Path) -> None:
+    rows = "".join(f"{t},{x:.12g},{y:.12g},{heading:.12g}\n" for t, x, y, heading in truth.tolist())
+    path.write_text("utime,x,y,heading\n" + rows, encoding="utf-8")

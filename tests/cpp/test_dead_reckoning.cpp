@@ -13,129 +13,114 @@ namespace {
 PILOTAGE_SUITE(DeadReckoningTest);
 
 Params calibrated_params() {
-  Params params;
-  params.gyro_bias = {0.02, 0.01, 0};
-  params.distance_scale = {1.1, 0.05, 0};
-  params.rotation_scale = {0.9, 0.02, 0};
-  return params;
+    Params params;
+    params.gyro_bias = {0.02, 0.01, 0};
+    params.distance_scale = {1.1, 0.05, 0};
+    params.rotation_scale = {0.9, 0.02, 0};
+    return params;
 }
 
 template <typename Scalar>
-Increment<Scalar> some_motion(const NoiseParams &noise) {
-  return with_gyro(
-      from_wheels(Scalar(0.2), Scalar(0.3), Scalar(0.5), Scalar(0.5), noise),
-      Scalar(0.15), HeadingSource::both, noise);
+Increment<Scalar> some_motion(const NoiseParams& noise) {
+    return with_gyro(from_wheels(Scalar(0.2), Scalar(0.3), Scalar(0.5), Scalar(0.5), noise),
+                     Scalar(0.15), HeadingSource::both, noise);
 }
 
-template <typename Scalar> double tolerance() {
-  return std::is_same_v<Scalar, double> ? 1e-12 : 1e-5;
+template <typename Scalar>
+double tolerance() {
+    return std::is_same_v<Scalar, double> ? 1e-12 : 1e-5;
 }
 
 TYPED_TEST(DeadReckoningTest, StartsAtThePoseWithTheConfiguredCalibration) {
-  using Scalar = TypeParam;
-  const Pose<Scalar> pose(1, 2, Scalar(0.5));
-  const Matrix<Scalar, 3> p =
-      Pose<Scalar>(Scalar(0.1), Scalar(0.2), Scalar(0.3)).asDiagonal();
-  const auto six = start_filter<Scalar, 6>(pose, p, calibrated_params());
-  Vector<double, 6> x, variances;
-  x << 1, 2, 0.5, 0.02, 1.1, 0.9;
-  variances << 0.1, 0.2, 0.3, 1e-4, 0.0025, 4e-4;
-  EXPECT_TRUE(close(six.state(), x, 1e-7));
-  EXPECT_TRUE(
-      close(six.covariance(), Matrix<double, 6>(variances.asDiagonal()), 1e-7));
-  const auto three = start_filter<Scalar, 3>(pose, p, calibrated_params());
-  EXPECT_TRUE(close(three.state(), pose, 0));
-  EXPECT_TRUE(close(three.covariance(), p, 0));
+    using Scalar = TypeParam;
+    const Pose<Scalar> pose(1, 2, Scalar(0.5));
+    const Matrix<Scalar, 3> p = Pose<Scalar>(Scalar(0.1), Scalar(0.2), Scalar(0.3)).asDiagonal();
+    const auto six = start_filter<Scalar, 6>(pose, p, calibrated_params());
+    Vector<double, 6> x, variances;
+    x << 1, 2, 0.5, 0.02, 1.1, 0.9;
+    variances << 0.1, 0.2, 0.3, 1e-4, 0.0025, 4e-4;
+    EXPECT_TRUE(close(six.state(), x, 1e-7));
+    EXPECT_TRUE(close(six.covariance(), Matrix<double, 6>(variances.asDiagonal()), 1e-7));
+    const auto three = start_filter<Scalar, 3>(pose, p, calibrated_params());
+    EXPECT_TRUE(close(three.state(), pose, 0));
+    EXPECT_TRUE(close(three.covariance(), p, 0));
 }
 
 TYPED_TEST(DeadReckoningTest, DrivesTheCalibratedArc) {
-  using Scalar = TypeParam;
-  const Params params = calibrated_params();
-  const auto u = some_motion<Scalar>(params.noise);
-  const Pose<Scalar> start(1, 2, Scalar(0.5));
-  const double distance = 1.1 * 0.25;
-  const double turn =
-      0.9 * (double(u.turn_rad) - 0.02 * 0.5 * double(u.gyro_share));
-  const Pose<double> end =
-      after_arc(start.template cast<double>(), distance, turn);
-  auto three =
-      start_filter<Scalar, 3>(start, Matrix<Scalar, 3>::Zero(), params);
-  auto six = start_filter<Scalar, 6>(start, Matrix<Scalar, 3>::Zero(), params);
-  dead_reckon(three, u, params);
-  dead_reckon(six, u, params);
-  const double close_enough = tolerance<Scalar>();
-  EXPECT_TRUE(same_pose(
-      three.state(), Pose<Scalar>(end.template cast<Scalar>()), close_enough));
-  EXPECT_TRUE(same_pose(Pose<Scalar>(six.state().template head<3>()),
-                        Pose<Scalar>(end.template cast<Scalar>()),
-                        close_enough));
-  const auto driven = calibrated_motion(six.state(), u, params);
-  EXPECT_NEAR(driven[0], distance, close_enough);
-  EXPECT_NEAR(driven[1], turn, close_enough);
+    using Scalar = TypeParam;
+    const Params params = calibrated_params();
+    const auto u = some_motion<Scalar>(params.noise);
+    const Pose<Scalar> start(1, 2, Scalar(0.5));
+    const double distance = 1.1 * 0.25;
+    const double turn = 0.9 * (double(u.turn_rad) - 0.02 * 0.5 * double(u.gyro_share));
+    const Pose<double> end = after_arc(start.template cast<double>(), distance, turn);
+    auto three = start_filter<Scalar, 3>(start, Matrix<Scalar, 3>::Zero(), params);
+    auto six = start_filter<Scalar, 6>(start, Matrix<Scalar, 3>::Zero(), params);
+    dead_reckon(three, u, params);
+    dead_reckon(six, u, params);
+    const double close_enough = tolerance<Scalar>();
+    EXPECT_TRUE(same_pose(three.state(), Pose<Scalar>(end.template cast<Scalar>()), close_enough));
+    EXPECT_TRUE(same_pose(Pose<Scalar>(six.state().template head<3>()),
+                          Pose<Scalar>(end.template cast<Scalar>()), close_enough));
+    const auto driven = calibrated_motion(six.state(), u, params);
+    EXPECT_NEAR(driven[0], distance, close_enough);
+    EXPECT_NEAR(driven[1], turn, close_enough);
 }
 
 TYPED_TEST(DeadReckoningTest, FrozenStatesAreTheThreeStateFilter) {
-  using Scalar = TypeParam;
-  Params params = calibrated_params();
-  params.gyro_bias.sigma = params.distance_scale.sigma =
-      params.rotation_scale.sigma = 0;
-  const Pose<Scalar> start(1, 2, Scalar(0.5));
-  const Matrix<Scalar, 3> p =
-      Pose<Scalar>(Scalar(0.1), Scalar(0.2), Scalar(0.3)).asDiagonal();
-  auto three = start_filter<Scalar, 3>(start, p, params);
-  auto six = start_filter<Scalar, 6>(start, p, params);
-  for (int i = 0; i < 50; ++i) {
-    dead_reckon(three, some_motion<Scalar>(params.noise), params);
-    dead_reckon(six, some_motion<Scalar>(params.noise), params);
-  }
-  EXPECT_TRUE(close(six.state().template head<3>(), three.state(),
-                    50 * tolerance<Scalar>()));
-  EXPECT_TRUE(close(six.covariance().template topLeftCorner<3, 3>(),
-                    three.covariance(), 50 * tolerance<Scalar>()));
-  EXPECT_TRUE((six.covariance().template rightCols<3>().array() == 0).all());
+    using Scalar = TypeParam;
+    Params params = calibrated_params();
+    params.gyro_bias.sigma = params.distance_scale.sigma = params.rotation_scale.sigma = 0;
+    const Pose<Scalar> start(1, 2, Scalar(0.5));
+    const Matrix<Scalar, 3> p = Pose<Scalar>(Scalar(0.1), Scalar(0.2), Scalar(0.3)).asDiagonal();
+    auto three = start_filter<Scalar, 3>(start, p, params);
+    auto six = start_filter<Scalar, 6>(start, p, params);
+    for (int i = 0; i < 50; ++i) {
+        dead_reckon(three, some_motion<Scalar>(params.noise), params);
+        dead_reckon(six, some_motion<Scalar>(params.noise), params);
+    }
+    EXPECT_TRUE(close(six.state().template head<3>(), three.state(), 50 * tolerance<Scalar>()));
+    EXPECT_TRUE(close(six.covariance().template topLeftCorner<3, 3>(), three.covariance(),
+                      50 * tolerance<Scalar>()));
+    EXPECT_TRUE((six.covariance().template rightCols<3>().array() == 0).all());
 }
 
 /// A metre straight ahead in direction 0.7, from a certain pose: P = B Gamma
 /// B'.
 template <typename Scalar>
 Matrix<double, 3> after_a_metre(HeadingSource source) {
-  Params params;
-  params.noise = {};
-  params.noise.wheel_m_per_sqrt_m = 0.1;
-  params.noise.gyro_rad_per_sqrt_s = 0.02;
-  params.noise.position_m_per_sqrt_m = 0;
-  auto u =
-      from_wheels(Scalar(1), Scalar(1), Scalar(2), Scalar(0.5), params.noise);
-  if (source != HeadingSource::wheels)
-    u = with_gyro(u, Scalar(0), source, params.noise);
-  auto filter = start_filter<Scalar, 3>({0, 0, Scalar(0.7)},
-                                        Matrix<Scalar, 3>::Zero(), params);
-  dead_reckon(filter, u, params);
-  return filter.covariance().template cast<double>();
+    Params params;
+    params.noise = {};
+    params.noise.wheel_m_per_sqrt_m = 0.1;
+    params.noise.gyro_rad_per_sqrt_s = 0.02;
+    params.noise.position_m_per_sqrt_m = 0;
+    auto u = from_wheels(Scalar(1), Scalar(1), Scalar(2), Scalar(0.5), params.noise);
+    if (source != HeadingSource::wheels) u = with_gyro(u, Scalar(0), source, params.noise);
+    auto filter = start_filter<Scalar, 3>({0, 0, Scalar(0.7)}, Matrix<Scalar, 3>::Zero(), params);
+    dead_reckon(filter, u, params);
+    return filter.covariance().template cast<double>();
 }
 
-constexpr double kCos = 0.764842187284489, kSin = 0.644217687237691; // of 0.7
+constexpr double kCos = 0.764842187284489, kSin = 0.644217687237691;  // of 0.7
 
 TYPED_TEST(DeadReckoningTest, WheelsThatGiveTheHeadingHaveTheColumnsOfEq22) {
-  constexpr double b = 0.5;
-  Matrix<double, 3, 2> columns; // by the right and the left wheel
-  columns << kCos / 2 - kSin / (2 * b), kCos / 2 + kSin / (2 * b), //
-      kSin / 2 + kCos / (2 * b), kSin / 2 - kCos / (2 * b),        //
-      1 / b, -1 / b;
-  EXPECT_TRUE(close(after_a_metre<TypeParam>(HeadingSource::wheels),
-                    columns * 0.01 * columns.transpose(),
-                    tolerance<TypeParam>()));
+    constexpr double b = 0.5;
+    Matrix<double, 3, 2> columns;  // by the right and the left wheel
+    columns << kCos / 2 - kSin / (2 * b), kCos / 2 + kSin / (2 * b),  //
+        kSin / 2 + kCos / (2 * b), kSin / 2 - kCos / (2 * b),         //
+        1 / b, -1 / b;
+    EXPECT_TRUE(close(after_a_metre<TypeParam>(HeadingSource::wheels),
+                      columns * 0.01 * columns.transpose(), tolerance<TypeParam>()));
 }
 
 TYPED_TEST(DeadReckoningTest, WheelsBesideAGyroMoveThePoseAlongItsHeadingOnly) {
-  Matrix<double, 3, 2> wheels;
-  wheels << kCos / 2, kCos / 2, kSin / 2, kSin / 2, 0, 0;
-  const Pose<double> gyro(-kSin / 2, kCos / 2, 1); // by the turn
-  EXPECT_TRUE(close(after_a_metre<TypeParam>(HeadingSource::gyro),
-                    wheels * 0.01 * wheels.transpose() +
-                        gyro * 0.0008 * gyro.transpose(),
-                    tolerance<TypeParam>()));
+    Matrix<double, 3, 2> wheels;
+    wheels << kCos / 2, kCos / 2, kSin / 2, kSin / 2, 0, 0;
+    const Pose<double> gyro(-kSin / 2, kCos / 2, 1);  // by the turn
+    EXPECT_TRUE(close(after_a_metre<TypeParam>(HeadingSource::gyro),
+                      wheels * 0.01 * wheels.transpose() + gyro * 0.0008 * gyro.transpose(),
+                      tolerance<TypeParam>()));
 }
 
-} // namespace
-} // namespace pilotage::test
+}  // namespace
+}  // namespace pilotage::test

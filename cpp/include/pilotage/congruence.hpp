@@ -1,8 +1,9 @@
 #pragma once
 /// \file
-/// A P A', the product that moves a covariance, once as the equation stands and once for each transition
-/// whose structure is worth using. Every planar motion has the same A: the identity but for the heading
-/// column, which holds the displacement turned by 90 degrees (eq. 21 of Kiriy and Buehler 2002).
+/// A P A', the product that moves a covariance, once as the equation stands and once for each
+/// transition whose structure is worth using. Every planar motion has the same A: the identity but
+/// for the heading column, which holds the displacement turned by 90 degrees (eq. 21 of Kiriy and
+/// Buehler 2002).
 
 #include "pilotage/state.hpp"
 
@@ -26,7 +27,8 @@ struct HeadingShear {
 template <typename Scalar>
 struct CalibratedTransition {
     HeadingShear<Scalar> shear;
-    Matrix<Scalar, 3> by_calibration;  ///< C, the pose by (gyro bias, distance scale, rotation scale)
+    Matrix<Scalar, 3>
+        by_calibration;  ///< C, the pose by (gyro bias, distance scale, rotation scale)
 
     [[nodiscard]] Matrix<Scalar, 6> dense() const noexcept {
         Matrix<Scalar, 6> a = Matrix<Scalar, 6>::Identity();
@@ -36,16 +38,17 @@ struct CalibratedTransition {
     }
 };
 
+/// As the equation stands, for any A.
 template <typename Scalar, int N>
 [[nodiscard]] Matrix<Scalar, N> congruence(const Matrix<Scalar, N>& a,
                                            const Matrix<Scalar, N>& p) noexcept {
     return a * p * a.transpose();
 }
 
-/// The rows and columns of `p` that belong to the pose, sheared in place; the lower triangle is read and
-/// written, the upper one is left behind.
+/// The rows and columns of `p` that belong to the pose, sheared in place. Here and below only the
+/// lower triangle is read and written.
 template <typename Scalar, int N>
-void shear_lower(const HeadingShear<Scalar>& a, Matrix<Scalar, N>& p) noexcept {
+void shear_pose(const HeadingShear<Scalar>& a, Matrix<Scalar, N>& p) noexcept {
     const Scalar hh = p(kHeading, kHeading);
     const Scalar hx = p(kHeading, kX) - a.dy * hh;
     const Scalar hy = p(kHeading, kY) + a.dx * hh;
@@ -54,52 +57,70 @@ void shear_lower(const HeadingShear<Scalar>& a, Matrix<Scalar, N>& p) noexcept {
     p(kY, kY) += a.dx * (p(kHeading, kY) + hy);
     p(kHeading, kX) = hx;
     p(kHeading, kY) = hy;
+    each<N - kPoseStates>([&](int i) {
+        p(kPoseStates + i, kX) -= a.dy * p(kPoseStates + i, kHeading);
+        p(kPoseStates + i, kY) += a.dx * p(kPoseStates + i, kHeading);
+    });
 }
 
 template <typename Scalar>
 [[nodiscard]] Matrix<Scalar, 3> congruence(const HeadingShear<Scalar>& a,
-                                           Matrix<Scalar, 3> p) noexcept {
-    shear_lower(a, p);
-    return p;
+                                           const Matrix<Scalar, 3>& p) noexcept {
+    Matrix<Scalar, 3> result;
+    fill_lower(result, [&](int i, int j) { return p(i, j); });
+    shear_pose(a, result);
+    return result;
 }
 
 template <typename Scalar>
 [[nodiscard]] Matrix<Scalar, 6> congruence(const CalibratedTransition<Scalar>& a,
-                                           Matrix<Scalar, 6> p) noexcept {
+                                           const Matrix<Scalar, 6>& p) noexcept {
     const Matrix<Scalar, 3>& c = a.by_calibration;
-    const Matrix<Scalar, 3> calibration = p.template bottomRightCorner<3, 3>();
-    Matrix<Scalar, 3> cross = p.template bottomLeftCorner<3, 3>();  // calibration by pose
-    // Shear the pose: P_pp <- A P_pp A', P_cp <- P_cp A'.
-    shear_lower(a.shear, p);
-    for (int i = 0; i < 3; ++i) {
-        cross(i, kX) -= a.shear.dy * cross(i, kHeading);
-        cross(i, kY) += a.shear.dx * cross(i, kHeading);
-    }
-    // Then add what calibration brings: P_cp += P_cc C', P_pp += C P_cp + (C P_cp)' with half of P_cc C'.
-    const Matrix<Scalar, 3> brought = calibration.lazyProduct(c.transpose());
-    const Matrix<Scalar, 3> mean_cross = cross + Scalar(0.5) * brought;
-    for (int j = 0; j < 3; ++j)
-        for (int i = j; i < 3; ++i)
-            p(i, j) += c.row(i).dot(mean_cross.col(j)) + c.row(j).dot(mean_cross.col(i));
-    p.template bottomLeftCorner<3, 3>() = cross + brought;
-    return p;
+    Matrix<Scalar, 6> result;
+    fill_lower(result, [&](int i, int j) { return p(i, j); });
+    shear_pose(a.shear, result);
+    // What calibration brings: P_cp += P_cc C', and P_pp += C P_cp + (C P_cp)' with half of that
+    // added.
+    auto cross = [&](int i, int j) -> Scalar& { return result(kPoseStates + i, j); };
+    const auto half = entries<Matrix<Scalar, 3>>([&](int i, int j) {
+        const int row = kPoseStates + i;
+        const auto at = [&](int k) {
+            return row >= kPoseStates + k ? p(row, kPoseStates + k) : p(kPoseStates + k, row);
+        };
+        return Scalar(0.5) * (at(0) * c(j, 0) + at(1) * c(j, 1) + at(2) * c(j, 2));
+    });
+    each<3>([&](int j) { each<3>([&](int i) { cross(i, j) += half(i, j); }); });
+    each<3>([&](int j) {
+        each<3>([&](int i) {
+            if (i >= j)
+                result(i, j) += c(i, 0) * cross(0, j) + c(j, 0) * cross(0, i) +
+                                c(i, 1) * cross(1, j) + c(j, 1) * cross(1, i) +
+                                c(i, 2) * cross(2, j) + c(j, 2) * cross(2, i);
+        });
+    });
+    each<3>([&](int j) { each<3>([&](int i) { cross(i, j) += half(i, j); }); });
+    return result;
 }
 
-/// P += B G B', on the lower triangle.
+/// P += B G B'
 template <typename Scalar, int N, int Rows, int Inputs>
 void add_input_noise(const Matrix<Scalar, Rows, Inputs>& b, const Matrix<Scalar, Inputs>& gamma,
                      Matrix<Scalar, N>& p) noexcept {
-    const Matrix<Scalar, Rows, Inputs> bg = b.lazyProduct(gamma);
-    for (int j = 0; j < Rows; ++j)
-        for (int i = j; i < Rows; ++i)
-            for (int k = 0; k < Inputs; ++k) p(i, j) += bg(i, k) * b(j, k);
+    const auto bg = entries<Matrix<Scalar, Rows, Inputs>>(
+        [&](int i, int j) { return row_by_column(b, i, gamma, j); });
+    Matrix<Scalar, Rows> noise;
+    fill_lower(noise, [&](int i, int j) { return row_by_row(bg, j, b, i); });
+    each<Rows>([&](int j) {
+        each<Rows>([&](int i) {
+            if (i >= j) p(i, j) += noise(i, j);
+        });
+    });
 }
 
 /// Writes the lower triangle into the upper one.
 template <typename Scalar, int N>
 void mirror_lower(Matrix<Scalar, N>& p) noexcept {
-    for (int j = 1; j < N; ++j)
-        for (int i = 0; i < j; ++i) p(i, j) = p(j, i);
+    fill_symmetric(p, [&](int i, int j) { return p(i, j); });
 }
 
 }  // namespace pilotage

@@ -13,15 +13,18 @@ namespace pilotage {
 /// Start of the filter at a pose: calibration at its configured initial values.
 /// \param pose_covariance of (x, y, heading)
 template <typename Scalar, int N>
-[[nodiscard]] Ekf<Scalar, N> start_filter(const Pose<Scalar>& pose, const Matrix<Scalar, 3>& pose_covariance,
+[[nodiscard]] Ekf<Scalar, N> start_filter(const Pose<Scalar>& pose,
+                                          const Matrix<Scalar, 3>& pose_covariance,
                                           const Params& params) noexcept {
     Vector<Scalar, N> x;
     Matrix<Scalar, N> p = Matrix<Scalar, N>::Zero();
     x.template head<3>() = pose;
+    x[kHeading] = wrap(x[kHeading]);
     p.template topLeftCorner<3, 3>() = pose_covariance;
     if constexpr (N == kCalibratedStates) {
         int i = kGyroBias;
-        for (const CalibrationParams* c : {&params.gyro_bias, &params.distance_scale, &params.rotation_scale}) {
+        for (const CalibrationParams* c :
+             {&params.gyro_bias, &params.distance_scale, &params.rotation_scale}) {
             x[i] = Scalar(c->initial);
             p(i, i) = Scalar(c->sigma * c->sigma);
             ++i;
@@ -30,9 +33,11 @@ template <typename Scalar, int N>
     return Ekf<Scalar, N>(x, p);
 }
 
-/// (distance [m], turn [rad]) of an increment after calibration, by the state or, frozen, by the configuration.
+/// (distance [m], turn [rad]) of an increment after calibration, by the state or, frozen, by the
+/// configuration.
 template <typename Scalar, int N>
-[[nodiscard]] Vector<Scalar, 2> calibrated_motion(const Vector<Scalar, N>& x, const Increment<Scalar>& u,
+[[nodiscard]] Vector<Scalar, 2> calibrated_motion(const Vector<Scalar, N>& x,
+                                                  const Increment<Scalar>& u,
                                                   const Params& params) noexcept {
     Vector<Scalar, 3> c(Scalar(params.gyro_bias.initial), Scalar(params.distance_scale.initial),
                         Scalar(params.rotation_scale.initial));
@@ -57,13 +62,16 @@ void dead_reckon(Ekf<Scalar, kCalibratedStates>& filter, const Increment<Scalar>
 
 /// Time update by an increment as measured, with the configured, frozen calibration.
 template <typename Scalar>
-void dead_reckon(Ekf<Scalar, kPoseStates>& filter, const Increment<Scalar>& u, const Params& params) noexcept {
-    const Vector<Scalar, 2> scale(Scalar(params.distance_scale.initial), Scalar(params.rotation_scale.initial));
+void dead_reckon(Ekf<Scalar, kPoseStates>& filter, const Increment<Scalar>& u,
+                 const Params& params) noexcept {
+    const Vector<Scalar, 2> scale(Scalar(params.distance_scale.initial),
+                                  Scalar(params.rotation_scale.initial));
     Matrix<Scalar, 2> gamma;
     for (int i = 0; i < 2; ++i)
         for (int j = 0; j < 2; ++j) gamma(i, j) = scale[i] * u.covariance(i, j) * scale[j];
     filter.predict(RobotMotion<Scalar>{Scalar(params.motion.slip_angle_rad)},
-                   calibrated_motion(filter.state(), u, params), gamma, pose_process_noise(u, params.noise));
+                   calibrated_motion(filter.state(), u, params), gamma,
+                   pose_process_noise(u, params.noise));
 }
 
 }  // namespace pilotage

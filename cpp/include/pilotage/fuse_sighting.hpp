@@ -18,22 +18,46 @@
 
 namespace pilotage {
 
+/// The components that a sighting has: bit ComponentIndex is set.
+[[nodiscard]] inline int measured_components(const Sighting& sighting) noexcept {
+    int bits = 0;
+    for (const ComponentIndex c : {kBearing, kElevation, kRange})
+        bits |= std::isnan(sighting.value[c]) ? 0 : 1 << c;
+    return bits;
+}
+
 /// A report that says nothing yet but which sighting it is of.
 [[nodiscard]] inline SightingReport blank_report(const Sample& sample, Verdict verdict) noexcept {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    const Sighting& sighting = sample.payload.sighting;
-    SightingReport report{sample.utime, sample.seq, 0, sighting.id, sample.index, sample.source, verdict, 0,
-                          {nan, nan, nan}, {nan, nan, nan}, nan, 0, nan, nan};
-    for (const double value : sighting.value) report.dof += std::isnan(value) ? 0 : 1;
-    return report;
+    const int measured = measured_components(sample.payload.sighting);
+    return {sample.utime,
+            sample.seq,
+            0,
+            sample.payload.sighting.id,
+            sample.index,
+            sample.source,
+            verdict,
+            (measured & 1) + (measured >> 1 & 1) + (measured >> 2),
+            {nan, nan, nan},
+            {nan, nan, nan},
+            nan,
+            0,
+            nan,
+            nan};
 }
 
-/// The sensor's noise for one component, sqrt of the variance: the sighting's own sigma where it states one.
-[[nodiscard]] inline double stated_sigma(const Sighting& sighting, int component,
-                                         const MarkerSensorParams& sensor) noexcept {
-    if (!std::isnan(sighting.sigma[component])) return sighting.sigma[component];
-    const double configured[] = {sensor.sigma_bearing_rad, sensor.sigma_elevation_rad, sensor.sigma_range_m};
-    return configured[component];
+/// Variance of one component: the sighting's own sigma where it states one, and for ranges what
+/// grows with them.
+template <typename Scalar>
+[[nodiscard]] Scalar sensor_variance(const Sighting& sighting, ComponentIndex component,
+                                     const MarkerSensorParams& sensor, Scalar predicted) noexcept {
+    const double configured[] = {sensor.sigma_bearing_rad, sensor.sigma_elevation_rad,
+                                 sensor.sigma_range_m};
+    const double stated = sighting.sigma[component];
+    const auto sigma = Scalar(std::isnan(stated) ? configured[component] : stated);
+    const Scalar per_m =
+        component == kRange ? Scalar(sensor.sigma_range_per_m) * predicted : Scalar(0);
+    return sigma * sigma + per_m * per_m;
 }
 
 /// Fuses the given components as one vector.
@@ -55,40 +79,44 @@ void fuse_components(Ekf<Scalar, N>& filter, const Marker& marker, const Sightin
         report.limit = sensor.min_distance_m;
         return;
     }
-    // The survey's uncertainty reaches the measurement as the sensor's position does, with the other sign.
-    const auto by_position = h.jacobian.template leftCols<2>();
-    const auto survey = Scalar(marker.sigma_m);
-    Matrix<Scalar, M> r = by_position.lazyProduct(by_position.transpose()) * (survey * survey);
-    Vector<Scalar, M> z;
-    for (int i = 0; i < M; ++i) {
-        z[i] = Scalar(sighting.value[which[i]]);
-        const auto sigma = Scalar(stated_sigma(sighting, which[i], sensor));
-        const Scalar per_m = which[i] == kRange ? Scalar(sensor.sigma_range_per_m) * h.value[i] : Scalar(0);
-        r(i, i) += sigma * sigma + per_m * per_m;
-    }
-    const auto update = filter.correct(model.minus(z, h.value), h.jacobian, r, policy);
-    for (int i = 0; i < M; ++i) {
+    // The survey's uncertainty reaches the measurement as the sensor's position does, with the
+    // other sign.
+    const Scalar survey_variance = Scalar(marker.sigma_m) * Scalar(marker.sigma_m);
+    const auto noise = symmetric<Matrix<Scalar, M>>([&](int i, int j) {
+        const Scalar survey = survey_variance * (h.jacobian(i, kX) * h.jacobian(j, kX) +
+                                                 h.jacobian(i, kY) * h.jacobian(j, kY));
+        return i == j ? survey + sensor_variance(sighting, which[i], sensor, h.value[i]) : survey;
+    });
+    const auto z =
+        entries<Vector<Scalar, M>>([&](int i, int) { return Scalar(sighting.value[which[i]]); });
+    const auto update = filter.correct(model.minus(z, h.value), h.jacobian, noise, policy);
+    each<M>([&](int i) {
         report.innovation[which[i]] = double(update.innovation[i]);
         report.sigma[which[i]] = std::sqrt(double(update.s(i, i)));
-    }
+    });
     report.nis = double(update.nis);
     report.weight = double(update.weight);
     switch (update.fault) {
-        case UpdateFault::none: report.verdict = Verdict::fused; break;
+        case UpdateFault::none:
+            report.verdict = Verdict::fused;
+            break;
         case UpdateFault::gated:
             report.verdict = Verdict::gate;
             report.value = report.nis;
             report.limit = policy.gate_nis[M - 1];
             break;
-        default: report.verdict = Verdict::numeric;
+        default:
+            report.verdict = Verdict::numeric;
     }
 }
 
-/// Holds the sighting against the map and fuses what it measured, linearised at the state as it stands.
-/// \pre the sighting's values are finite or NaN, at least one is finite
+/// Holds the sighting against the map and fuses what it measured, linearised at the state as it
+/// stands.
+/// \pre the sighting's values are finite or NaN
 template <typename Scalar, int N>
-[[nodiscard]] SightingReport fuse_sighting(Ekf<Scalar, N>& filter, const Sample& sample, const MarkerMap& map,
-                                           const MarkerSensorParams& sensor, const Policy& policy) noexcept {
+[[nodiscard]] SightingReport fuse_sighting(Ekf<Scalar, N>& filter, const Sample& sample,
+                                           const MarkerMap& map, const MarkerSensorParams& sensor,
+                                           const Policy& policy) noexcept {
     const Sighting& sighting = sample.payload.sighting;
     SightingReport report = blank_report(sample, Verdict::unknown_marker);
     const Marker* marker = map.find(sighting.id);
@@ -99,16 +127,30 @@ template <typename Scalar, int N>
     const auto fuse = [&](const auto&... components) {
         fuse_components(filter, *marker, sighting, sensor, policy, report, components...);
     };
-    const auto has = [&](int component) { return !std::isnan(sighting.value[component]); };
-    switch (has(kBearing) * 4 + has(kElevation) * 2 + has(kRange)) {
-        case 4: fuse(bearing); break;
-        case 2: fuse(elevation); break;
-        case 1: fuse(range); break;
-        case 6: fuse(bearing, elevation); break;
-        case 5: fuse(bearing, range); break;
-        case 3: fuse(elevation, range); break;
-        case 7: fuse(bearing, elevation, range); break;
-        default: report.verdict = Verdict::bad_value;
+    switch (measured_components(sighting)) {
+        case 0b001:
+            fuse(bearing);
+            break;
+        case 0b010:
+            fuse(elevation);
+            break;
+        case 0b100:
+            fuse(range);
+            break;
+        case 0b011:
+            fuse(bearing, elevation);
+            break;
+        case 0b101:
+            fuse(bearing, range);
+            break;
+        case 0b110:
+            fuse(elevation, range);
+            break;
+        case 0b111:
+            fuse(bearing, elevation, range);
+            break;
+        default:
+            report.verdict = Verdict::bad_value;
     }
     return report;
 }

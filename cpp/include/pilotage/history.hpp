@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The samples of the last seconds in their own order, each with room for what was computed at it. Capacity
-/// is fixed at construction; after it nothing is allocated.
+/// The samples of the last seconds in their own order, each with room for what was computed at it.
+/// Capacity is fixed at construction; after it nothing is allocated.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace pilotage {
 
-/// A sequence sorted by Sample::compare over a pool of nodes that never move: inserting in the middle moves
-/// small indices only.
+/// A sequence sorted by Sample::compare over a pool of nodes that never move: inserting in the
+/// middle moves small indices only.
 template <typename Node>
 class History {
    public:
@@ -25,8 +25,8 @@ class History {
     [[nodiscard]] Node& operator[](std::size_t i) noexcept { return pool_[slot(i)]; }
     [[nodiscard]] const Node& operator[](std::size_t i) const noexcept { return pool_[slot(i)]; }
 
-    /// Where `sample` belongs, and whether the same sample is there already. Searched from the newest end,
-    /// where samples usually belong.
+    /// Where `sample` belongs, and whether the same sample is there already. Searched from the
+    /// newest end, where samples usually belong.
     [[nodiscard]] std::size_t place(const Sample& sample, bool& duplicate) const noexcept {
         std::size_t i = size_;
         duplicate = false;
@@ -57,11 +57,16 @@ class History {
     [[nodiscard]] std::size_t wrapped(std::size_t i) const noexcept {
         return i < order_.size() ? i : i - order_.size();
     }
-    [[nodiscard]] std::uint32_t& slot(std::size_t i) noexcept { return order_[wrapped(first_ + i)]; }
-    [[nodiscard]] std::uint32_t slot(std::size_t i) const noexcept { return order_[wrapped(first_ + i)]; }
+    [[nodiscard]] std::uint32_t& slot(std::size_t i) noexcept {
+        return order_[wrapped(first_ + i)];
+    }
+    [[nodiscard]] std::uint32_t slot(std::size_t i) const noexcept {
+        return order_[wrapped(first_ + i)];
+    }
 
     std::vector<Node> pool_;
-    std::vector<std::uint32_t> order_;  // a ring: size_ indices in use from first_, then the free ones
+    std::vector<std::uint32_t>
+        order_;  // a ring: size_ indices in use from first_, then the free ones
     std::size_t first_ = 0, size_ = 0;
 };
 

@@ -37,8 +37,8 @@ struct Estimate {
     std::int32_t resets = 0;
 };
 
-/// Hears what becomes of every sample: each starts `pending`, and may change its verdict more than once as
-/// late samples arrive. Every sighting is reported in full each time it is judged.
+/// Hears what becomes of every sample: each starts `pending`, and may change its verdict more than
+/// once as late samples arrive. Every sighting is reported in full each time it is judged.
 class Listener {
    public:
     virtual void on_verdict(const Sample& sample, Verdict before, Verdict now) = 0;
@@ -48,11 +48,12 @@ class Listener {
     ~Listener() = default;
 };
 
-/// Localizes on known markers with dead reckoning in between. N = 3 (pose) or 6 (with calibration states).
+/// Localizes on known markers with dead reckoning in between. N = 3 (pose) or 6 (with calibration
+/// states).
 ///
-/// The estimate depends on the set of samples within the window, not on the order of their arrival: a sample
-/// that comes late is put in its place and everything after it is computed again. Nothing is allocated
-/// after construction, nothing throws, and no clock is read.
+/// The estimate depends on the set of samples within the window, not on the order of their arrival:
+/// a sample that comes late is put in its place and everything after it is computed again. Nothing
+/// is allocated after construction, nothing throws, and no clock is read.
 template <typename Scalar, int N>
 class Localizer {
    public:
@@ -60,7 +61,8 @@ class Localizer {
     Localizer(const Params& params, MarkerMap map, Listener& listener);
 
     /// Takes a sample; sightings wait for the motion sample after them.
-    /// \return whether the newest motion sample is a newer one than before: time to publish the estimate
+    /// \return whether the newest motion sample is a newer one than before: time to publish the
+    /// estimate
     bool add(const Sample& sample) noexcept;
 
     /// No more motion will come: what still waits for it is rejected as no_motion.

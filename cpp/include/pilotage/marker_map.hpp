@@ -29,8 +29,9 @@ class MarkerMap {
 
     /// The marker, or nullptr.
     [[nodiscard]] const Marker* find(std::int32_t id) const noexcept {
-        const auto at = std::lower_bound(markers_.begin(), markers_.end(), id,
-                                         [](const Marker& m, std::int32_t key) { return m.id < key; });
+        const auto at =
+            std::lower_bound(markers_.begin(), markers_.end(), id,
+                             [](const Marker& m, std::int32_t key) { return m.id < key; });
         return at != markers_.end() && at->id == id ? &*at : nullptr;
     }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Every parameter of the core with its one default. Names carry units; the configuration file uses the same
-/// names (cpp/engine/config_schema.cpp lists them with their ranges and meaning).
+/// Every parameter of the core with its one default. Names carry units; the configuration file uses
+/// the same names (cpp/engine/config_schema.cpp lists them with their ranges and meaning).
 
 #include <array>
 #include <cstdint>
@@ -22,7 +22,8 @@ enum class HeadingSource : unsigned char {
 enum class MotionSource : unsigned char { encoders, velocity };
 
 struct WheelParams {
-    double left_m_per_tick = 0.001;   ///< negative where the encoder counts down when driving forward
+    double left_m_per_tick =
+        0.001;  ///< negative where the encoder counts down when driving forward
     double right_m_per_tick = 0.001;  ///< likewise
     double track_width_m = 0.5;
     double max_speed_m_s = 10;  ///< ticks that imply more are a counter's wrap or reset
@@ -37,7 +38,8 @@ struct MotionParams {
 
 /// Noise grows with distance, turn and time, never with the number of samples.
 struct NoiseParams {
-    double wheel_m_per_sqrt_m = 0.02;      ///< travel of each wheel; of a velocity message, sqrt(2) times its distance's
+    double wheel_m_per_sqrt_m =
+        0.02;  ///< travel of each wheel; of a velocity message, sqrt(2) times its distance's
     double gyro_rad_per_sqrt_s = 0.002;    ///< turn by the gyro, or by a velocity message's omega
     double position_m_per_sqrt_m = 0.005;  ///< pose, per distance (wheel slip)
     double position_m_per_sqrt_s = 0;      ///< pose, per time
@@ -50,7 +52,8 @@ struct NoiseParams {
 struct CalibrationParams {
     double initial = 0;
     double sigma = 0;  ///< of the initial value
-    double walk = 0;   ///< per root second (gyro bias), root metre (distance), root radian (rotation)
+    double walk =
+        0;  ///< per root second (gyro bias), root metre (distance), root radian (rotation)
 };
 
 /// One camera or scanner: where it sits and how well it sees.

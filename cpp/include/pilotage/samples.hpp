@@ -7,8 +7,9 @@
 
 namespace pilotage {
 
-/// Kinds of samples, in the order in which samples of equal time are processed: a turn is known before the
-/// motion that uses it, and a sighting at a motion sample's time sees the pose at its end.
+/// Kinds of samples, in the order in which samples of equal time are processed: a turn is known
+/// before the motion that uses it, and a sighting at a motion sample's time sees the pose at its
+/// end.
 enum class Stream : std::uint8_t { reset, gyro, motion, sighting };
 
 /// Absolute wheel counts [ticks].
@@ -44,11 +45,11 @@ struct PoseReset {
 
 /// A sample at its own time. All bytes are set, so that equal samples are equal byte for byte.
 struct Sample {
-    std::int64_t utime;    ///< us, after the time policy
-    std::int32_t seq;      ///< sender's count
+    std::int64_t utime;  ///< us, after the time policy
+    std::int32_t seq;    ///< sender's count
     Stream stream;
-    std::uint8_t source;   ///< sensor number, for sightings
-    std::uint16_t index;   ///< position in its frame, for sightings
+    std::uint8_t source;  ///< sensor number, for sightings
+    std::uint16_t index;  ///< position in its frame, for sightings
     union Payload {
         EncoderTicks ticks;
         GyroRate gyro;
@@ -58,8 +59,9 @@ struct Sample {
     } payload;
 
     template <typename T>
-    [[nodiscard]] static Sample make(std::int64_t utime, std::int32_t seq, Stream stream, const T& value,
-                                     std::uint8_t source = 0, std::uint16_t index = 0) noexcept {
+    [[nodiscard]] static Sample make(std::int64_t utime, std::int32_t seq, Stream stream,
+                                     const T& value, std::uint8_t source = 0,
+                                     std::uint16_t index = 0) noexcept {
         static_assert(sizeof(T) <= sizeof(Payload));
         Sample sample;
         std::memset(static_cast<void*>(&sample), 0, sizeof(Sample));
@@ -72,8 +74,8 @@ struct Sample {
         return sample;
     }
 
-    /// Negative, zero or positive as this comes before, is the same as, or comes after `other`: by time,
-    /// stream, seq, then the remaining bytes, never by arrival.
+    /// Negative, zero or positive as this comes before, is the same as, or comes after `other`: by
+    /// time, stream, seq, then the remaining bytes, never by arrival.
     [[nodiscard]] int compare(const Sample& other) const noexcept {
         if (utime != other.utime) return utime < other.utime ? -1 : 1;
         if (stream != other.stream) return stream < other.stream ? -1 : 1;

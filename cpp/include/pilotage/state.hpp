@@ -1,11 +1,12 @@
 #pragma once
 /// \file
-/// The state: pose in frame map, then the calibration states. Its own plus and minus wrap the heading;
-/// with each measurement model's minus they are the only places where an angle wraps.
+/// The state: pose in frame map, then the calibration states. Its own plus and minus wrap the
+/// heading; with each measurement model's minus they are the only places where an angle wraps.
 
 #include <Eigen/Core>
 
 #include "pilotage/angle.hpp"
+#include "pilotage/entrywise.hpp"
 
 namespace pilotage {
 
@@ -34,18 +35,20 @@ inline constexpr int kCalibratedStates = 6;
 
 /// x + dx.
 template <typename Scalar, int N>
-[[nodiscard]] Vector<Scalar, N> plus(Vector<Scalar, N> x, const Vector<Scalar, N>& dx) noexcept {
-    x += dx;
-    x[kHeading] = wrap(x[kHeading]);
-    return x;
+[[nodiscard]] Vector<Scalar, N> plus(const Vector<Scalar, N>& x,
+                                     const Vector<Scalar, N>& dx) noexcept {
+    auto result = entries<Vector<Scalar, N>>([&](int i, int) { return x[i] + dx[i]; });
+    result[kHeading] = wrap(result[kHeading]);
+    return result;
 }
 
 /// The dx with plus(b, dx) = a.
 template <typename Scalar, int N>
-[[nodiscard]] Vector<Scalar, N> minus(Vector<Scalar, N> a, const Vector<Scalar, N>& b) noexcept {
-    a -= b;
-    a[kHeading] = wrap(a[kHeading]);
-    return a;
+[[nodiscard]] Vector<Scalar, N> minus(const Vector<Scalar, N>& a,
+                                      const Vector<Scalar, N>& b) noexcept {
+    auto result = entries<Vector<Scalar, N>>([&](int i, int) { return a[i] - b[i]; });
+    result[kHeading] = wrap(result[kHeading]);
+    return result;
 }
 
 }  // namespace pilotage

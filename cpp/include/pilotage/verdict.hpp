@@ -25,42 +25,47 @@ enum class Verdict : std::uint8_t {
 };
 inline constexpr int kVerdicts = static_cast<int>(Verdict::numeric) + 1;
 
-[[nodiscard]] constexpr bool rejected(Verdict v) noexcept { return v > Verdict::fused; }
+[[nodiscard]] constexpr bool rejected(Verdict v) noexcept {
+    return v > Verdict::fused;
+}
 
 /// Word for reports, statistics and logs.
 [[nodiscard]] constexpr const char* name(Verdict v) noexcept {
     constexpr const char* names[kVerdicts] = {
-        "pending",   "fused",         "bad_value",      "implausible", "not_initialized",
-        "before_motion", "late",      "duplicate",      "no_motion",   "counter_reset",
-        "unknown_marker", "too_close", "gate",          "numeric"};
+        "pending",        "fused",     "bad_value", "implausible", "not_initialized",
+        "before_motion",  "late",      "duplicate", "no_motion",   "counter_reset",
+        "unknown_marker", "too_close", "gate",      "numeric"};
     return names[static_cast<int>(v)];
 }
 
 /// Unit of the value and the limit that decided.
 [[nodiscard]] constexpr const char* unit(Verdict v) noexcept {
     switch (v) {
-        case Verdict::late: return "s";
-        case Verdict::too_close: return "m";
-        default: return "";
+        case Verdict::late:
+            return "s";
+        case Verdict::too_close:
+            return "m";
+        default:
+            return "";
     }
 }
 
-/// A sighting's full story. Components in the order bearing [rad], elevation [rad], range [m]; NaN where
-/// not measured or not computed.
+/// A sighting's full story. Components in the order bearing [rad], elevation [rad], range [m]; NaN
+/// where not measured or not computed.
 struct SightingReport {
-    std::int64_t utime;      ///< us, time of capture
+    std::int64_t utime;  ///< us, time of capture
     std::int32_t frame_seq;
-    std::int32_t revision;   ///< counts up each time the sighting is fused again
-    std::int32_t id;         ///< of the marker it was held against
-    std::uint16_t index;     ///< position in its frame
+    std::int32_t revision;  ///< counts up each time the sighting is fused again
+    std::int32_t id;        ///< of the marker it was held against
+    std::uint16_t index;    ///< position in its frame
     std::uint8_t sensor;
     Verdict verdict;
-    std::int32_t dof;        ///< number of measured components
-    double innovation[3];    ///< measured less predicted
-    double sigma[3];         ///< square root of the diagonal of S
+    std::int32_t dof;      ///< number of measured components
+    double innovation[3];  ///< measured less predicted
+    double sigma[3];       ///< square root of the diagonal of S
     double nis;
-    double weight;           ///< robust weight in [0, 1]
-    double value, limit;     ///< what decided a rejection, NaN where nothing is compared
+    double weight;        ///< robust weight in [0, 1]
+    double value, limit;  ///< what decided a rejection, NaN where nothing is compared
 };
 
 }  // namespace pilotage

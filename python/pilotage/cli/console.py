@@ -19,9 +19,11 @@ def progress_bar(what: str) -> Iterator[Callable[[float], None]]:
     def update(done: float) -> None:
         nonlocal bar
         if bar is None and monotonic() - start > PATIENCE_S:
+            from rich.console import Console
             from rich.progress import Progress
 
-            bar = Progress(transient=True)
+            console = Console(stderr=True)
+            bar = Progress(transient=True, console=console, disable=not console.is_terminal)
             bar.add_task(what, total=1.0)
             bar.start()
         if bar is not None:

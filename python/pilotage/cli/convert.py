@@ -20,6 +20,8 @@ def convert(
     from ..logs import read, write_lcmlog
     from ..replaying import prepared_config
 
+    if output.suffix == ".yaml":
+        raise ValueError(f"{output} is for the configuration: give the log another name")
     log = read(input, robot=robot)
     for note in log.notes:
         typer.echo(f"note: {note}", err=True)

@@ -30,11 +30,11 @@ def demo(
 
     online = multicast.available()
     if not online:
-        typer.echo(f"note: {multicast.ADVICE}", err=True)
+        typer.echo(f"note: {multicast.ADVICE}\nuntil then a private network may do", err=True)
         status = multicast.rerun_in_private_network()
         if status is not None:
             raise typer.Exit(status)
-        typer.echo("note: no private network either; the engine runs in this process", err=True)
+        typer.echo("note: no private network either: the engine runs in this process", err=True)
     typer.echo("simulating a drive of 549 s past 28 markers ...")
     simulation = simulate(SCENARIOS["mower-spiral"], np.random.default_rng(seed))
     log: Path | None = None

@@ -10,7 +10,7 @@ app = typer.Typer(
     help="Localizes ground robots on surveyed markers, with dead reckoning in between.",
     no_args_is_help=True,
     add_completion=False,
-    rich_markup_mode="rich",
+    rich_markup_mode="markdown",
     pretty_exceptions_enable=False,
 )
 
@@ -44,6 +44,13 @@ def main() -> None:
     try:
         app()
     except (ValueError, KeyError, OSError, RuntimeError, ImportError) as error:
-        text = error.args[0] if isinstance(error, KeyError) else error
-        print(f"pilotage: {text}", file=sys.stderr)
+        print(f"pilotage: {_in_words(error)}", file=sys.stderr)
         sys.exit(2)
+
+
+def _in_words(error: Exception) -> str:
+    if isinstance(error, KeyError):
+        return str(error.args[0])  # its own text is in quotes
+    if isinstance(error, OSError) and error.filename is not None:
+        return f"{error.filename}: {error.strerror}"
+    return str(error)

@@ -7,8 +7,13 @@ import typer
 
 
 def plot(
-    input: Annotated[Path, typer.Argument(help="A recording that `pilotage replay` reads.")],
-    output: Annotated[Path, typer.Option("--output", "-o", help="Folder for the figures.")],
+    input: Annotated[
+        Path, typer.Argument(help="The folder of a replay, or a recording that is replayed first.")
+    ],
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", help="Folder for the figures; of a replay, its own."),
+    ] = None,
     config: Annotated[
         Path | None, typer.Option("--config", "-c", help="Instead of the ready configuration.")
     ] = None,
@@ -22,13 +27,22 @@ def plot(
 
     Without --window the close-up shows where the error is largest.
 
-    Example: pilotage plot Plaza1_.mat -o figures --window 285 300
+    Example: pilotage plot out --window 285 300
     """
-    from ..logs import read
     from ..plot import save_all
-    from ..replaying import replay_log
+    from ..stored import is_stored, read_stored
 
-    log = read(input, robot=robot)
-    result = replay_log(log, config)
-    for path in save_all(result.run, log.truth, result.config.map, output, window):
+    if is_stored(input):
+        stored = read_stored(input)
+        drawn = save_all(stored, stored.truth, stored.map, output or input, window)
+    else:
+        from ..logs import read
+        from ..replaying import replay_log
+
+        if input.exists() and output is None:
+            raise ValueError(f"{input} is a recording: say where its figures go with -o")
+        log = read(input, robot=robot)
+        result = replay_log(log, config)
+        drawn = save_all(result.run, log.truth, result.config.map, output or input, window)
+    for path in drawn:
         typer.echo(path)

@@ -14,7 +14,9 @@ def simulate(
     ] = None,
     live: Annotated[bool, typer.Option("--live", help="Send it over LCM instead.")] = False,
     speed: Annotated[float, typer.Option(help="Of --live, times real time.")] = 1.0,
-    lcm_url: Annotated[str | None, typer.Option(help="Of --live.")] = None,
+    lcm_url: Annotated[
+        str | None, typer.Option(help="Of --live; LCM_DEFAULT_URL unless given.")
+    ] = None,
     duration: Annotated[float | None, typer.Option(help="Seconds, instead of the whole.")] = None,
     noise: Annotated[float, typer.Option(help="Factor on every noise; 0 measures exactly.")] = 1.0,
     gyro_bias: Annotated[float, typer.Option(help="rad/s")] = 0.0,
@@ -27,7 +29,8 @@ def simulate(
     """Simulate a drive past markers, into an LCM log or live over LCM.
 
     The log holds encoders, gyro, marker frames and the truth (reference_t); beside it stands a
-    configuration with the map, for `pilotage replay` and `pilotage-node`.
+    configuration with the map, for `pilotage replay` and `pilotage-node`. Live, the same messages
+    are sent with the same stamps, which begin at one second.
 
     Example: pilotage simulate figure-eight -o eight.lcmlog --gyro-bias 0.001 && pilotage replay
     eight.lcmlog --config eight.yaml
@@ -44,13 +47,23 @@ def simulate(
         raise ValueError(f"no scenario '{scenario}'; there are {', '.join(SCENARIOS)}")
     if live == (output is not None):
         raise ValueError("say where it goes: either -o FILE.lcmlog or --live")
-    for name, value, least in (("noise", noise, 0.0), ("speed", speed, 1e-3), ("slip", slip, -0.5)):
-        if not value >= least:
-            raise ValueError(f"--{name} is {value}, expected {least} or more")
+    if output is not None and output.suffix == ".yaml":
+        raise ValueError(f"{output} is for the configuration: give the log another name")
+    duration = SCENARIOS[scenario].duration_s if duration is None else duration
+    for name, value, low, high in (
+        ("duration", duration, 1.0, 1e5),
+        ("noise", noise, 0.0, 100.0),
+        ("gyro-bias", gyro_bias, -1.0, 1.0),
+        ("slip", slip, -0.9, 0.9),
+        ("latency", latency, 0.0, 60.0),
+        ("speed", speed, 1e-3, 1e6),
+    ):
+        if not low <= value <= high:
+            raise ValueError(f"--{name} is {value:g}, expected {low:g} to {high:g}")
     chosen = SCENARIOS[scenario].with_noise(noise)
     chosen = replace(
         chosen,
-        duration_s=chosen.duration_s if duration is None else duration,
+        duration_s=duration,
         encoders=replace(chosen.encoders, slip=slip),
         gyro=replace(chosen.gyro, bias_rad_s=gyro_bias),
         latency_s=latency,

@@ -49,19 +49,19 @@ def drive(start: NDArray[np.float64], v: NDArray[np.float64], omega: NDArray[np.
 
 
 def spiral(duration_s: float) -> Drive:
-    """Oval laps about the origin, ever wider, with the uneven speed of a mower driven by hand."""
+    """Oval laps about the origin, ever wider, at the uneven speed of a mower driven by hand."""
     n = round(duration_s * 1e6 / STEP_US)
     t = np.arange(n) * (STEP_US * 1e-6)
     v = 1.4 + 0.25 * np.sin(0.11 * t) + 0.1 * np.sin(0.5 * t)
     v[t < 1.0] = 0.0  # it stands at first
-    radius = 4.0 + 12.0 * t / 549.0
+    radius = 4.0 + 16.0 * t / 549.0
     omega = np.empty(n)
     heading = np.pi / 2
     for first in range(0, n, HELD_STEPS):
         held = slice(first, first + HELD_STEPS)
         v[held] = v[first]
         # A bend that depends on the heading alone keeps the ovals where they are.
-        omega[held] = v[first] / radius[first] * (1 - 0.3 * np.cos(2 * heading))
+        omega[held] = v[first] / radius[first] * (1 + 0.4 * np.cos(2 * heading))
         heading += omega[first] * HELD_STEPS * (STEP_US * 1e-6)
     return drive(np.array([radius[0], 0.0, np.pi / 2]), v, omega)
 
@@ -74,12 +74,13 @@ def circle(duration_s: float, radius_m: float = 1.5, speed_m_s: float = 0.5) -> 
 
 
 def figure_eight(duration_s: float, radius_m: float = 2.5, speed_m_s: float = 0.8) -> Drive:
-    """One circle to the left, one to the right."""
+    """One circle to the left, one to the right, side by side."""
     t = np.arange(round(duration_s * 1e6 / STEP_US)) * (STEP_US * 1e-6)
     lap_s = 2 * np.pi * radius_m / speed_m_s
     side = np.where((t // lap_s) % 2 == 0, 1.0, -1.0)
     omega = side * speed_m_s / radius_m
-    return drive(np.zeros(3), np.full(len(t), speed_m_s), omega)
+    start = np.array([0.0, 0.0, np.pi / 2])
+    return drive(start, np.full(len(t), speed_m_s), omega)
 
 
 _MODEL = ArcUnicycle()

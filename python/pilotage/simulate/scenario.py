@@ -14,6 +14,8 @@ from .sensors import Camera, Encoders, Gyro
 
 EXACT_M_PER_TICK = 1e-12
 """Ticks so fine that they quantise nothing, in a simulation without noise."""
+SMALL_ROBOT_M_PER_TICK = np.pi * 0.1 / 2048
+"""2048 ticks a turn of a wheel of 0.1 m."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +84,7 @@ SCENARIOS = {
             lambda _: worlds.four_poles(),
             drives.circle,
             duration_s=60.0,
-            encoders=Encoders(track_width_m=0.4, m_per_tick=1e-4),
+            encoders=Encoders(track_width_m=0.4, m_per_tick=SMALL_ROBOT_M_PER_TICK),
             cameras=(
                 Camera(
                     "camera",
@@ -99,7 +101,7 @@ SCENARIOS = {
             worlds.hall,
             drives.figure_eight,
             duration_s=120.0,
-            encoders=Encoders(track_width_m=0.5, m_per_tick=1e-4),
+            encoders=Encoders(track_width_m=0.5, m_per_tick=SMALL_ROBOT_M_PER_TICK),
             cameras=(
                 Camera(
                     "scanner",
@@ -148,6 +150,7 @@ def suitable_config(scenario: Scenario, markers: MarkerMap, drive: Drive) -> Con
         "encoders.track_width_m": encoders.track_width_m,
         "noise.wheel_m_per_sqrt_m": encoders.noise_m_per_sqrt_m,
         "noise.gyro_rad_per_sqrt_s": gyro.noise_rad_per_sqrt_s,
+        "noise.position_m_per_sqrt_m": 0.0,  # all that is uncertain of this motion is its sensors
         "calibration.gyro_bias.sigma": max(abs(gyro.bias_rad_s), 1e-3),
         "calibration.distance_scale.sigma": max(encoders.slip, 0.01),
     }

@@ -6,13 +6,13 @@ namespace pilotage::test {
 
 /// Allocations of the calling thread since it was constructed.
 class AllocationCount {
-public:
-  AllocationCount() noexcept : start_(total()) {}
-  [[nodiscard]] long since() const noexcept { return total() - start_; }
+   public:
+    AllocationCount() noexcept : start_(total()) {}
+    [[nodiscard]] long since() const noexcept { return total() - start_; }
 
-private:
-  [[nodiscard]] static long total() noexcept;
-  long start_;
+   private:
+    [[nodiscard]] static long total() noexcept;
+    long start_;
 };
 
-} // namespace pilotage::test
+}  // namespace pilotage::test

@@ -69,6 +69,11 @@ Dual<T> abs(Dual<T> a) {
 }
 
 template <typename T>
+Dual<T> atan(Dual<T> a) {
+    return {std::atan(a.value), a.slope / (1 + a.value * a.value)};
+}
+
+template <typename T>
 Dual<T> atan2(Dual<T> y, Dual<T> x) {
     const T squared = x.value * x.value + y.value * y.value;
     return {std::atan2(y.value, x.value), (x.value * y.slope - y.value * x.slope) / squared};

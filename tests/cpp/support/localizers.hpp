@@ -1,14 +1,12 @@
 #pragma once
 /// \file
-/// Every localizer there is as a type of a typed suite, and a listener that
-/// checks the bookkeeping.
+/// Every localizer there is behind one interface, and a listener that checks the bookkeeping.
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <map>
 #include <string>
-#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "pilotage/localizer.hpp"
@@ -17,113 +15,74 @@
 
 namespace pilotage::test {
 
-template <typename S, int N> struct Kind {
-  using Scalar = S;
-  static constexpr int kStates = N;
-  static constexpr bool kDouble = std::is_same_v<S, double>;
-  /// Rounding over a drive of some thousand steps.
-  static constexpr double kTolerance = kDouble ? 1e-9 : 2e-3;
+/// One of the four localizers.
+struct Kind {
+    bool is_double;
+    int states;
+    double tolerance;  ///< rounding over a drive of some thousand steps
 };
 
-using Kinds =
-    ::testing::Types<Kind<double, kPoseStates>, Kind<double, kCalibratedStates>,
-                     Kind<float, kPoseStates>, Kind<float, kCalibratedStates>>;
+inline constexpr Kind kKinds[] = {{true, kPoseStates, 1e-9},
+                                  {true, kCalibratedStates, 1e-9},
+                                  {false, kPoseStates, 2e-3},
+                                  {false, kCalibratedStates, 2e-3}};
 
-struct KindNames {
-  template <typename T> static std::string GetName(int) {
-    return (T::kDouble ? "double" : "float") + std::to_string(T::kStates);
-  }
-};
+[[nodiscard]] std::string kind_name(const ::testing::TestParamInfo<Kind>& kind);
 
 /// Hears what becomes of each sample. A sample that the localizer has not
 /// spoken of is pending.
 class Tally final : public Listener {
-public:
-  std::vector<SightingReport> reports;
+   public:
+    std::vector<SightingReport> reports;
 
-  void on_verdict(const Sample &sample, Verdict before, Verdict now) override {
-    EXPECT_NE(before, now) << "a verdict that changes nothing";
-    if (now ==
-        Verdict::duplicate) { // says nothing of the sample that it repeats
-      EXPECT_EQ(before, Verdict::pending);
-      ++duplicates_;
-      return;
-    }
-    Verdict &verdict =
-        verdicts_.emplace(sample, Verdict::pending).first->second;
-    EXPECT_EQ(before, verdict)
-        << "a " << name(now) << " that follows another verdict";
-    verdict = now;
-  }
-  void on_sighting(const SightingReport &report) override {
-    reports.push_back(report);
-  }
+    void on_verdict(const Sample& sample, Verdict before, Verdict now) override;
+    void on_sighting(const SightingReport& report) override;
 
-  [[nodiscard]] int count(Verdict verdict) const {
-    int n = verdict == Verdict::duplicate ? duplicates_ : 0;
-    for (const auto &[sample, v] : verdicts_)
-      n += v == verdict;
-    return n;
-  }
-  [[nodiscard]] int rejected() const {
-    int n = duplicates_;
-    for (const auto &[sample, v] : verdicts_)
-      n += pilotage::rejected(v);
-    return n;
-  }
-  [[nodiscard]] Verdict of(const Sample &sample) const {
-    const auto at = verdicts_.find(sample);
-    return at == verdicts_.end() ? Verdict::pending : at->second;
-  }
-  [[nodiscard]] const std::map<Sample, Verdict, InOrder> &verdicts() const {
-    return verdicts_;
-  }
+    [[nodiscard]] int count(Verdict verdict) const;
+    [[nodiscard]] int rejected() const;
+    [[nodiscard]] Verdict of(const Sample& sample) const;
+    [[nodiscard]] const std::map<Sample, Verdict, InOrder>& verdicts() const { return verdicts_; }
 
-private:
-  std::map<Sample, Verdict, InOrder> verdicts_;
-  int duplicates_ = 0;
+   private:
+    std::map<Sample, Verdict, InOrder> verdicts_;
+    int duplicates_ = 0;
 };
 
-/// A localizer with its listener.
-template <typename K> struct Robot {
-  Tally tally;
-  Localizer<typename K::Scalar, K::kStates> localizer;
-  int added = 0;
+/// A localizer of any kind with its listener.
+class Robot {
+   public:
+    Tally tally;
 
-  explicit Robot(const Params &params, MarkerMap map = {})
-      : localizer(params, std::move(map), tally) {}
+    Robot(const Kind& kind, const Params& params, const MarkerMap& map = {});
 
-  bool add(const Sample &sample) {
-    ++added;
-    return localizer.add(sample);
-  }
-  void add(const std::vector<Sample> &samples) {
-    for (const Sample &sample : samples)
-      add(sample);
-  }
-  [[nodiscard]] Pose<double> pose() const { return localizer.estimate().pose; }
-  [[nodiscard]] Vector<double, K::kStates> state() const {
-    return localizer.filter().state().template cast<double>();
-  }
-  [[nodiscard]] Matrix<double, K::kStates> covariance() const {
-    return localizer.filter().covariance().template cast<double>();
-  }
+    bool add(const Sample& sample);
+    void add(const std::vector<Sample>& samples);
+    void finish();
+    [[nodiscard]] int added() const { return added_; }
+
+    [[nodiscard]] bool has_pose() const;
+    [[nodiscard]] bool started() const;
+    [[nodiscard]] Estimate estimate() const;
+    [[nodiscard]] Pose<double> pose() const { return estimate().pose; }
+    [[nodiscard]] Eigen::VectorXd state() const;
+    [[nodiscard]] Eigen::MatrixXd covariance() const;
+
+   private:
+    using Any = std::variant<Localizer<double, kPoseStates>, Localizer<double, kCalibratedStates>,
+                             Localizer<float, kPoseStates>, Localizer<float, kCalibratedStates>>;
+    static Any make(const Kind& kind, const Params& params, const MarkerMap& map, Tally& tally);
+
+    Any localizer_;
+    int added_ = 0;
 };
 
-/// Every sample that was added is fused, pending or rejected, and only one of
-/// them.
-template <typename K> void expect_sums_hold(const Robot<K> &robot) {
-  const Tally &tally = robot.tally;
-  const int unheard = robot.added - tally.count(Verdict::duplicate) -
-                      static_cast<int>(tally.verdicts().size());
-  EXPECT_GE(unheard, 0);
-  EXPECT_EQ(robot.added, tally.count(Verdict::fused) + tally.rejected() +
-                             tally.count(Verdict::pending) + unheard);
-}
+/// Every sample that was added is fused, pending or rejected, and only one of them.
+void expect_sums_hold(const Robot& robot);
 
-} // namespace pilotage::test
+}  // namespace pilotage::test
 
-/// Declares a suite that runs for every localizer.
-#define PILOTAGE_LOCALIZER_SUITE(Suite)                                        \
-  template <typename K> class Suite : public ::testing::Test {};               \
-  TYPED_TEST_SUITE(Suite, ::pilotage::test::Kinds, ::pilotage::test::KindNames)
+/// Declares a suite that runs for every localizer, `GetParam()`.
+#define PILOTAGE_LOCALIZER_SUITE(Suite)                                              \
+    class Suite : public ::testing::TestWithParam<::pilotage::test::Kind> {};        \
+    INSTANTIATE_TEST_SUITE_P(, Suite, ::testing::ValuesIn(::pilotage::test::kKinds), \
+                             ::pilotage::test::kind_name)

@@ -12,33 +12,32 @@ namespace pilotage::test {
 namespace {
 
 TEST(AllocationCountTest, SeesWhatNewTakes) {
-  const AllocationCount count;
-  const auto one = std::make_unique<int>(1);
-  EXPECT_EQ(count.since(), 1) << *one;
-  std::vector<double> many(1000);
-  EXPECT_EQ(count.since(), 2) << many.size();
-  struct alignas(64) Wide {
-    double values[8] = {};
-  };
-  const auto wide = std::make_unique<Wide>();
-  EXPECT_EQ(count.since(), 3) << wide->values[0];
+    const AllocationCount count;
+    const auto one = std::make_unique<int>(1);
+    EXPECT_EQ(count.since(), 1) << *one;
+    std::vector<double> many(1000);
+    EXPECT_EQ(count.since(), 2) << many.size();
+    struct alignas(64) Wide {
+        double values[8] = {};
+    };
+    const auto wide = std::make_unique<Wide>();
+    EXPECT_EQ(count.since(), 3) << wide->values[0];
 }
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) &&                    \
-    !defined(__SANITIZE_THREAD__)
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST(AllocationCountTest, SeesWhatEigenTakes) {
-  const AllocationCount count;
-  const Eigen::MatrixXd dynamic = Eigen::MatrixXd::Zero(20, 20);
-  EXPECT_EQ(count.since(), 1) << dynamic(0, 0);
+    const AllocationCount count;
+    const Eigen::MatrixXd dynamic = Eigen::MatrixXd::Zero(20, 20);
+    EXPECT_EQ(count.since(), 1) << dynamic(0, 0);
 }
 #endif
 
 TEST(AllocationCountTest, SeesNothingWhereNothingIsTaken) {
-  const AllocationCount count;
-  Eigen::Matrix<double, 6, 6> fixed = Eigen::Matrix<double, 6, 6>::Identity();
-  fixed = fixed * fixed;
-  EXPECT_EQ(count.since(), 0) << fixed(0, 0);
+    const AllocationCount count;
+    Eigen::Matrix<double, 6, 6> fixed = Eigen::Matrix<double, 6, 6>::Identity();
+    fixed = fixed * fixed;
+    EXPECT_EQ(count.since(), 0) << fixed(0, 0);
 }
 
-} // namespace
-} // namespace pilotage::test
+}  // namespace
+}  // namespace pilotage::test

@@ -1,3 +1,5 @@
 #include <pilotage/engine/engine.hpp>
 
-int main() { return 0; }
+int main() {
+    return 0;
+}

@@ -1,24 +1,18 @@
 """`pilotage replay`, as a user types it."""
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from pilotage import Recording
+from support.command import pilotage
 from support.datasets import dataset
-
-COMMAND = [sys.executable, "-c", "from pilotage.cli.main import main; main()"]
-
-
-def _pilotage(*arguments: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([*COMMAND, *map(str, arguments)], capture_output=True, text=True)
 
 
 def test_the_output_folder_holds_what_the_documentation_says(tmp_path: Path):
-    result = _pilotage("replay", dataset("plaza") / "Plaza1_.mat", "-o", tmp_path)
+    result = pilotage("replay", dataset("plaza") / "Plaza1_.mat", "-o", tmp_path)
     assert result.returncode == 0, result.stderr
     assert {path.name for path in tmp_path.iterdir()} >= {
         "pose.csv", "pose.tum", "reports.csv", "metrics.json", "config.yaml", "path.png",
@@ -44,7 +38,7 @@ def test_the_output_folder_holds_what_the_documentation_says(tmp_path: Path):
 def test_the_configuration_as_used_repeats_the_run(tmp_path: Path):
     log = dataset("plaza") / "Plaza1_.mat"
     for folder, options in (("a", []), ("b", ["--config", tmp_path / "a" / "config.yaml"])):
-        result = _pilotage("replay", log, "--no-figures", "-o", tmp_path / folder, *options)
+        result = pilotage("replay", log, "--no-figures", "-o", tmp_path / folder, *options)
         assert result.returncode == 0, result.stderr
     poses = [(tmp_path / folder / "pose.csv").read_bytes() for folder in "ab"]
     assert poses[0] == poses[1]
@@ -60,24 +54,25 @@ def test_the_configuration_as_used_repeats_the_run(tmp_path: Path):
     ],
 )
 def test_what_a_user_can_mend_is_one_line_and_exit_2(tmp_path: Path, arguments, words):
-    import pilotage
-
-    recording = pilotage.Recording()
+    recording = Recording()
     recording.add_gyro("GYRO", [1, 2], [0.0, 0.0])
     recording.save(str(tmp_path / "empty.lcmlog"))
     (tmp_path / "bad.yaml").write_text("motion: {source: encoders}\ngyrro: {channel: G}\n")
     places = {"log": tmp_path / "empty.lcmlog", "bad": tmp_path / "bad.yaml"}
     places["empty"] = places["log"]
-    result = _pilotage(*(str(a).format(**places) for a in arguments))
+    result = pilotage(*(str(a).format(**places) for a in arguments))
     assert result.returncode == 2
     assert "Traceback" not in result.stderr
     for word in words:
         assert word in result.stderr
 
 
+COMMANDS = ("demo", "replay", "convert", "simulate", "evaluate", "plot", "config")
+
+
 def test_every_command_explains_itself_with_an_example():
-    top = _pilotage("--help")
+    top = pilotage("--help")
     assert top.returncode == 0
-    for command in ("replay", "config"):
+    for command in COMMANDS:
         assert command in top.stdout
-        assert "Example: pilotage " + command in _pilotage(command, "--help").stdout
+        assert "Example: pilotage " + command in pilotage(command, "--help").stdout

@@ -1,12 +1,12 @@
 #pragma once
 /// \file
-/// The extended Kalman filter, knowing no robot and no sensor: models come in as values at `predict` and
-/// `update`. Equation numbers are those of Kiriy and Buehler 2002.
+/// The extended Kalman filter, knowing no robot and no sensor: models come in as values at
+/// `predict` and `update`. Equation numbers are those of Kiriy and Buehler 2002.
 ///
-/// A motion model has `linearize(x, u)` returning {next, a, b}: f(x, u), its Jacobian by the state (dense,
-/// or a structure that `congruence` knows) and its Jacobian by the input. A measurement model has
-/// `kStates`, the number of leading states that it sees, `linearize(x)` returning {value, h, defined}, and
-/// `minus(z, value)`.
+/// A motion model has `linearize(x, u)` returning {next, a, b}: f(x, u), its Jacobian by the state
+/// (dense, or a structure that `congruence` knows) and its Jacobian by the input. A measurement
+/// model has `kStates`, the number of leading states that it sees, `linearize(x)` returning {value,
+/// h, defined}, and `minus(z, value)`.
 
 #include <cmath>
 
@@ -34,94 +34,119 @@ class Ekf {
     /// point).
     /// \param gamma covariance of the input u; \param q variances added to the states
     template <typename Model, int Inputs>
-    void predict(const Model& model, const Vector<Scalar, Inputs>& u,
-                 const Matrix<Scalar, Inputs>& gamma, const State& q) noexcept {
+    [[gnu::flatten]] void predict(const Model& model, const Vector<Scalar, Inputs>& u,
+                                  const Matrix<Scalar, Inputs>& gamma, const State& q) noexcept {
         const auto step = model.linearize(x_, u);
         propagate(step.next, step.a, step.b, gamma, q);
     }
 
     /// The time update with the linearisation given, so that it may be taken about another point.
     template <typename Transition, int Rows, int Inputs>
-    void propagate(const State& next, const Transition& a, const Matrix<Scalar, Rows, Inputs>& b,
-                   const Matrix<Scalar, Inputs>& gamma, const State& q) noexcept {
-        x_ = next;
-        p_ = congruence(a, p_);
-        add_input_noise(b, gamma, p_);
-        p_.diagonal() += q;
-        mirror_lower(p_);
+    [[gnu::flatten]] void propagate(const State& next, const Transition& a,
+                                    const Matrix<Scalar, Rows, Inputs>& b,
+                                    const Matrix<Scalar, Inputs>& gamma, const State& q) noexcept {
+        fill(x_, [&](int i, int) { return next[i]; });
+        Covariance p = congruence(a, p_);
+        add_input_noise(b, gamma, p);
+        fill_symmetric(p_, [&](int i, int j) { return i == j ? p(i, j) + q[i] : p(i, j); });
     }
 
     /// Measurement update, eqs. 10, 11 and 28 (Joseph form), linearised at the state as it stands.
     /// It is a transaction: state and covariance change only if the report says accepted.
     template <typename Model, int M>
-    UpdateReport<Scalar, M> update(const Model& model, const Vector<Scalar, M>& z,
-                                   const Matrix<Scalar, M>& r, const Policy& policy) noexcept {
+    [[gnu::flatten]] UpdateReport<Scalar, M> update(const Model& model, const Vector<Scalar, M>& z,
+                                                    const Matrix<Scalar, M>& r,
+                                                    const Policy& policy) noexcept {
         const auto h = model.linearize(x_.template head<Model::kStates>());
         if (!h.defined) {
             UpdateReport<Scalar, M> report;
+            report.innovation.setZero();
+            report.s.setZero();
             report.fault = UpdateFault::undefined;
             return report;
         }
         return correct(model.minus(z, h.value), h.jacobian, r, policy);
     }
 
-    /// The measurement update with innovation and H given, so that they may be taken at another point.
+    /// The measurement update with innovation and H given, so that they may be taken at another
+    /// point.
     template <int M, int Seen>
-    UpdateReport<Scalar, M> correct(const Vector<Scalar, M>& innovation,
-                                    const Matrix<Scalar, M, Seen>& h, const Matrix<Scalar, M>& r,
-                                    const Policy& policy) noexcept {
+    [[gnu::flatten]] UpdateReport<Scalar, M> correct(const Vector<Scalar, M>& innovation,
+                                                     const Matrix<Scalar, M, Seen>& h,
+                                                     const Matrix<Scalar, M>& r,
+                                                     const Policy& policy) noexcept {
         UpdateReport<Scalar, M> report;
-        report.innovation = innovation;
-        const Matrix<Scalar, N, M> ph =
-            p_.template leftCols<Seen>().lazyProduct(h.transpose());  // P H'
-        const Matrix<Scalar, M> hph = h.lazyProduct(ph.template topRows<Seen>());
-        report.s = hph + r;
+        fill(report.innovation, [&](int i, int) { return innovation[i]; });
+        const auto ph =
+            entries<Matrix<Scalar, N, M>>([&](int i, int j) { return row_by_row(p_, i, h, j); });
+        const auto hph =
+            symmetric<Matrix<Scalar, M>>([&](int i, int j) { return row_by_column(h, i, ph, j); });
+        fill_symmetric(report.s, [&](int i, int j) { return hph(i, j) + r(i, j); });
         const Ldlt<Scalar, M> s(report.s);
-        report.nis = innovation.dot(s.solve(innovation));
-        if (!(r.diagonal().array() > 0).all() || !s.positive() || !std::isfinite(report.nis))
-            return refuse(report, UpdateFault::numeric);
-        if (policy.gated(report.nis, M)) return refuse(report, UpdateFault::gated);
-        report.weight = policy.weight(report.nis, M);
-        const bool committed = report.weight < 1
-                                   ? commit(innovation, h, Matrix<Scalar, M>(r / report.weight), ph,
-                                            Ldlt<Scalar, M>(hph + r / report.weight))
-                                   : commit(innovation, h, r, ph, s);
-        return committed ? report : refuse(report, UpdateFault::numeric);
+        report.nis = s.squared_norm(innovation);
+        bool noisy = true;  // every component
+        each<M>([&](int i) { noisy = noisy && r(i, i) > 0; });
+        if (!noisy || !s.positive() || !std::isfinite(report.nis)) {
+            report.fault = UpdateFault::numeric;
+        } else if (policy.gated(report.nis, M)) {
+            report.fault = UpdateFault::gated;
+        } else {
+            report.weight = policy.weight(report.nis, M);
+            const bool committed = report.weight < 1
+                                       ? commit_weighted(innovation, h, r, report.weight, ph, hph)
+                                       : commit(innovation, h, r, ph, s);
+            if (!committed) {
+                report.fault = UpdateFault::numeric;
+                report.weight = 0;
+            }
+        }
+        return report;
     }
 
    private:
+    /// With R / weight in place of R. Out of line, to keep the usual way short.
+    template <int M, int Seen>
+    [[nodiscard, gnu::noinline, gnu::flatten]] bool commit_weighted(
+        const Vector<Scalar, M>& innovation, const Matrix<Scalar, M, Seen>& h,
+        const Matrix<Scalar, M>& r, Scalar weight, const Matrix<Scalar, N, M>& ph,
+        const Matrix<Scalar, M>& hph) noexcept {
+        using Noise = Matrix<Scalar, M>;
+        const auto noise = symmetric<Noise>([&](int i, int j) { return r(i, j) / weight; });
+        const auto s = symmetric<Noise>([&](int i, int j) { return hph(i, j) + noise(i, j); });
+        return commit(innovation, h, noise, ph, Ldlt<Scalar, M>(s));
+    }
+
     /// Joseph form in the order that costs least: with M1 = (I - K H) P the covariance
     /// (I - K H) P (I - K H)' + K R K' is M1 + (K R - M1 H') K'.
+    /// \param s factors of S = H P H' + R
     template <int M, int Seen>
     [[nodiscard]] bool commit(const Vector<Scalar, M>& innovation, const Matrix<Scalar, M, Seen>& h,
                               const Matrix<Scalar, M>& r, const Matrix<Scalar, N, M>& ph,
                               const Ldlt<Scalar, M>& s) noexcept {
         Matrix<Scalar, N, M> k;
-        for (int i = 0; i < N; ++i) k.row(i) = s.solve(ph.row(i).transpose());
-        const Covariance m1 = p_ - k.lazyProduct(ph.transpose());
-        const Matrix<Scalar, N, M> rest =
-            k.lazyProduct(r) - m1.template leftCols<Seen>().lazyProduct(h.transpose());
-        Covariance p;
-        for (int j = 0; j < N; ++j)
-            for (int i = j; i < N; ++i) p(i, j) = m1(i, j) + rest.row(i).dot(k.row(j));
-        const State x = plus<Scalar, N>(x_, k.lazyProduct(innovation));
-        if (!x.allFinite() || !Ldlt<Scalar, N>(p, kPivotTolerance, p_.diagonal()).semidefinite()) return false;
-        mirror_lower(p);
-        x_ = x;
-        p_ = p;
+        each<N>([&](int i) {
+            const auto row =
+                s.solve(entries<Vector<Scalar, M>>([&](int j, int) { return ph(i, j); }));
+            each<M>([&](int j) { k(i, j) = row[j]; });
+        });
+        const auto m1 =
+            symmetric<Covariance>([&](int i, int j) { return p_(i, j) - row_by_row(k, i, ph, j); });
+        const auto rest = entries<Matrix<Scalar, N, M>>(
+            [&](int i, int j) { return row_by_column(k, i, r, j) - row_by_row(m1, i, h, j); });
+        const auto p = symmetric<Covariance>(
+            [&](int i, int j) { return m1(i, j) + row_by_row(k, i, rest, j); });
+        const State x = plus(
+            x_, entries<State>([&](int i, int) { return row_by_column(k, i, innovation, 0); }));
+        const bool finite = std::isfinite(x.sum());
+        const auto before = entries<State>([&](int i, int) { return p_(i, i); });
+        if (!finite || !Ldlt<Scalar, N>(p, kPivotTolerance, before).semidefinite()) return false;
+        fill(x_, [&](int i, int) { return x[i]; });
+        fill(p_, [&](int i, int j) { return p(i, j); });
         return true;
     }
 
-    template <int M>
-    [[nodiscard]] static UpdateReport<Scalar, M> refuse(UpdateReport<Scalar, M> report,
-                                                        UpdateFault fault) noexcept {
-        report.fault = fault;
-        report.weight = 0;
-        return report;
-    }
-
-    /// Rounding leaves a pivot of a singular covariance this far from zero, relative to the variance
-    /// before the update.
+    /// Rounding leaves a pivot of a singular covariance this far from zero, relative to the
+    /// variance before the update.
     static constexpr Scalar kPivotTolerance = Eigen::NumTraits<Scalar>::epsilon() * 1000;
 
     State x_;

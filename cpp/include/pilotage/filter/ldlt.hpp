@@ -2,6 +2,8 @@
 /// \file
 /// A = L D L' of a small symmetric matrix: solves with S, and tells whether a covariance is one.
 
+#include <cmath>
+
 #include "pilotage/state.hpp"
 
 namespace pilotage {
@@ -9,27 +11,32 @@ namespace pilotage {
 template <typename Scalar, int M>
 class Ldlt {
    public:
-    /// Reads the lower triangle. A pivot below `tolerance` times its diagonal entry counts as zero, and its
-    /// row is left out: exactly known (frozen) states have zero variance and no covariance.
+    /// Reads the lower triangle. A pivot below `tolerance` times its diagonal entry counts as zero,
+    /// and its row is left out: exactly known (frozen) states have zero variance and no covariance.
     explicit Ldlt(const Matrix<Scalar, M>& a, Scalar tolerance = 0) noexcept
-        : Ldlt(a, tolerance, a.diagonal()) {}
+        : Ldlt(a, tolerance, entries<Vector<Scalar, M>>([&](int i, int) { return a(i, i); })) {}
 
-    /// The tolerance relative to something else than the diagonal, where `a` is a difference of larger terms.
+    /// The tolerance relative to something else than the diagonal, where `a` is a difference of
+    /// larger terms.
     Ldlt(const Matrix<Scalar, M>& a, Scalar tolerance, const Vector<Scalar, M>& scale) noexcept {
-        for (int j = 0; j < M; ++j) {
-            Scalar pivot = a(j, j);
-            for (int k = 0; k < j; ++k) pivot -= lower_(j, k) * lower_(j, k) * pivot_[k];
-            const Scalar slack = tolerance * scale[j];
-            positive_ = positive_ && pivot > slack;
-            semidefinite_ = semidefinite_ && a(j, j) >= 0 && pivot >= -slack;
-            pivot_[j] = pivot > slack ? pivot : 0;
-            inverse_[j] = pivot > slack ? 1 / pivot : 0;
-            for (int i = j + 1; i < M; ++i) {
-                Scalar sum = a(i, j);
-                for (int k = 0; k < j; ++k) sum -= lower_(i, k) * lower_(j, k) * pivot_[k];
-                lower_(i, j) = sum * inverse_[j];
-            }
-        }
+        Matrix<Scalar, M> rest;  // of `a`, after the columns so far
+        fill_lower(rest, [&](int i, int j) { return a(i, j); });
+        each<M>([&](int k) {
+            const Scalar pivot = rest(k, k);
+            const Scalar slack = tolerance == 0 ? Scalar(0) : tolerance * scale[k];
+            const bool positive = pivot > slack;
+            inverse_[k] = positive ? 1 / pivot : Scalar(0);
+            positive_ = positive_ && positive;
+            semidefinite_ =
+                semidefinite_ && (positive || (pivot >= -slack && std::isfinite(slack)));
+            each<M>([&](int j) {
+                if (j <= k) return;
+                lower_(j, k) = rest(j, k) * inverse_[k];
+                each<M>([&](int i) {
+                    if (i >= j) rest(i, j) -= lower_(j, k) * rest(i, k);
+                });
+            });
+        });
     }
 
     /// Every pivot is above the tolerance; false for NaN.
@@ -39,20 +46,41 @@ class Ldlt {
     [[nodiscard]] bool semidefinite() const noexcept { return semidefinite_; }
 
     /// x with A x = b.
-    template <typename Derived>
-    [[nodiscard]] Vector<Scalar, M> solve(const Eigen::MatrixBase<Derived>& b) const noexcept {
-        Vector<Scalar, M> x = b;
-        for (int i = 1; i < M; ++i)
-            for (int k = 0; k < i; ++k) x[i] -= lower_(i, k) * x[k];
-        for (int i = 0; i < M; ++i) x[i] *= inverse_[i];
-        for (int i = M - 2; i >= 0; --i)
-            for (int k = i + 1; k < M; ++k) x[i] -= lower_(k, i) * x[k];
+    [[nodiscard]] Vector<Scalar, M> solve(const Vector<Scalar, M>& b) const noexcept {
+        Vector<Scalar, M> x;
+        each<M>([&](int i) {
+            x[i] = b[i];
+            each<M>([&](int k) {
+                if (k < i) x[i] -= lower_(i, k) * x[k];
+            });
+        });
+        each<M>([&](int i) { x[i] *= inverse_[i]; });
+        each<M>([&](int upwards) {
+            const int i = M - 1 - upwards;
+            each<M>([&](int k) {
+                if (k > i) x[i] -= lower_(k, i) * x[k];
+            });
+        });
         return x;
+    }
+
+    /// b' A^-1 b
+    [[nodiscard]] Scalar squared_norm(const Vector<Scalar, M>& b) const noexcept {
+        Vector<Scalar, M> x;
+        each<M>([&](int i) {
+            x[i] = b[i];
+            each<M>([&](int k) {
+                if (k < i) x[i] -= lower_(i, k) * x[k];
+            });
+        });
+        Scalar total = 0;
+        each<M>([&](int i) { total += x[i] * x[i] * inverse_[i]; });
+        return total;
     }
 
    private:
     Matrix<Scalar, M> lower_;  // strictly below the diagonal, the rest is unused
-    Vector<Scalar, M> pivot_, inverse_;
+    Vector<Scalar, M> inverse_;
     bool positive_ = true, semidefinite_ = true;
 };
 

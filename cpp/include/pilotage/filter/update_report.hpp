@@ -16,10 +16,10 @@ enum class UpdateFault : unsigned char {
 
 template <typename Scalar, int M>
 struct UpdateReport {
-    Vector<Scalar, M> innovation = Vector<Scalar, M>::Zero();  ///< minus(z, h(x))
-    Matrix<Scalar, M> s = Matrix<Scalar, M>::Zero();           ///< H P H' + R
-    Scalar nis = 0;                                            ///< innovation' S^-1 innovation
-    Scalar weight = 0;                                         ///< robust weight, 0 when not taken
+    Vector<Scalar, M> innovation;  ///< minus(z, h(x))
+    Matrix<Scalar, M> s;           ///< H P H' + R
+    Scalar nis = 0;                ///< innovation' S^-1 innovation
+    Scalar weight = 0;             ///< robust weight, 0 when not taken
     UpdateFault fault = UpdateFault::none;
 
     [[nodiscard]] bool accepted() const noexcept { return fault == UpdateFault::none; }

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// From samples to what the motion model is driven with: a distance and a turn, with their covariance.
+/// From samples to what the motion model is driven with: a distance and a turn, with their
+/// covariance.
 
 #include <cmath>
 
@@ -26,10 +27,11 @@ struct Increment {
     }
 };
 
-/// Travel of both wheels: eqs. 19 and 20 of Kiriy and Buehler 2002, and their covariance for wheels whose
-/// noise variance grows with their own travel.
+/// Travel of both wheels: eqs. 19 and 20 of Kiriy and Buehler 2002, and their covariance for wheels
+/// whose noise variance grows with their own travel.
 template <typename Scalar>
-[[nodiscard]] Increment<Scalar> from_wheels(Scalar left_m, Scalar right_m, Scalar dt_s, Scalar track_width_m,
+[[nodiscard]] Increment<Scalar> from_wheels(Scalar left_m, Scalar right_m, Scalar dt_s,
+                                            Scalar track_width_m,
                                             const NoiseParams& noise) noexcept {
     using std::abs;
     const Scalar per_m = Scalar(noise.wheel_m_per_sqrt_m * noise.wheel_m_per_sqrt_m);
@@ -62,8 +64,8 @@ template <typename Scalar>
 
 /// The same motion with its turn taken from the gyro, or from both by inverse variance.
 template <typename Scalar>
-[[nodiscard]] Increment<Scalar> with_gyro(Increment<Scalar> u, Scalar gyro_turn_rad, HeadingSource source,
-                                          const NoiseParams& noise) noexcept {
+[[nodiscard]] Increment<Scalar> with_gyro(Increment<Scalar> u, Scalar gyro_turn_rad,
+                                          HeadingSource source, const NoiseParams& noise) noexcept {
     const Scalar gyro_variance =
         Scalar(noise.gyro_rad_per_sqrt_s * noise.gyro_rad_per_sqrt_s) * u.dt_s;
     const Scalar wheel_variance = u.covariance(1, 1), sum = gyro_variance + wheel_variance;
@@ -79,9 +81,12 @@ template <typename Scalar>
 
 /// Process noise of the pose: slip grows with distance and turn, the rest with time.
 template <typename Scalar>
-[[nodiscard]] Pose<Scalar> pose_process_noise(const Increment<Scalar>& u, const NoiseParams& noise) noexcept {
+[[nodiscard]] Pose<Scalar> pose_process_noise(const Increment<Scalar>& u,
+                                              const NoiseParams& noise) noexcept {
     using std::abs;
-    const auto variance = [](double sigma, Scalar amount) { return Scalar(sigma * sigma) * amount; };
+    const auto variance = [](double sigma, Scalar amount) {
+        return Scalar(sigma * sigma) * amount;
+    };
     const Scalar driven = abs(u.distance_m), turned = abs(u.turn_rad);
     const Scalar position = variance(noise.position_m_per_sqrt_m, driven) +
                             variance(noise.position_m_per_sqrt_s, u.dt_s);
@@ -96,8 +101,11 @@ template <typename Scalar>
 [[nodiscard]] Vector<Scalar, 3> calibration_process_noise(const Increment<Scalar>& u,
                                                           const Params& params) noexcept {
     using std::abs;
-    const auto variance = [](double sigma, Scalar amount) { return Scalar(sigma * sigma) * amount; };
-    return {variance(params.gyro_bias.walk, u.dt_s), variance(params.distance_scale.walk, abs(u.distance_m)),
+    const auto variance = [](double sigma, Scalar amount) {
+        return Scalar(sigma * sigma) * amount;
+    };
+    return {variance(params.gyro_bias.walk, u.dt_s),
+            variance(params.distance_scale.walk, abs(u.distance_m)),
             variance(params.rotation_scale.walk, abs(u.turn_rad))};
 }
 

@@ -20,9 +20,10 @@ template <typename Scalar>
 /// What became of a pair of tick counts.
 enum class TickFault : std::uint8_t { none, wrapped, reset };
 
-/// The turn that the gyro measured and the pose has not used yet. A rate is the mean over the interval that
-/// ends at its stamp. Up to a motion sample that is newer than the newest rate, that rate is held; what was
-/// held too much or too little is made good by the next rate, so no turn is lost or counted twice.
+/// The turn that the gyro measured and the pose has not used yet. A rate is the mean over the
+/// interval that ends at its stamp. Up to a motion sample that is newer than the newest rate, that
+/// rate is held; what was held too much or too little is made good by the next rate, so no turn is
+/// lost or counted twice.
 class GyroIntegral {
    public:
     void add(std::int64_t utime, double rate_rad_s, double max_gap_s) noexcept {
@@ -34,7 +35,8 @@ class GyroIntegral {
         rate_rad_s_ = rate_rad_s;
     }
 
-    /// The turn from the last call's time up to `utime`; none if the gyro was silent for a part of it.
+    /// The turn from the last call's time up to `utime`; none if the gyro was silent for a part of
+    /// it.
     [[nodiscard]] std::optional<double> take(std::int64_t utime, double max_gap_s) noexcept {
         const auto held_s = seconds_between<double>(utime_, utime);
         const double held_rad = rate_rad_s_ * held_s;
@@ -52,16 +54,18 @@ class GyroIntegral {
     bool whole_ = false;  // no gap since the last call of take()
 };
 
-/// The wheels' last counts. Counters that wrap at 16 or 32 bits and counters that start again are told from
-/// motion by the greatest speed the robot can have.
+/// The wheels' last counts. Counters that wrap at 16 or 32 bits and counters that start again are
+/// told from motion by the greatest speed the robot can have.
 class TickCounter {
    public:
     /// The travel [m] since the last counts; none after a reset.
     [[nodiscard]] TickFault advance(const EncoderTicks& now, double dt_s, const WheelParams& wheels,
                                     double& left_m, double& right_m) noexcept {
         const double limit_m = wheels.max_speed_m_s * (dt_s + kStampSlack_s);
-        const TickFault left = travel(now.left, last_.left, wheels.left_m_per_tick, limit_m, left_m);
-        const TickFault right = travel(now.right, last_.right, wheels.right_m_per_tick, limit_m, right_m);
+        const TickFault left =
+            travel(now.left, last_.left, wheels.left_m_per_tick, limit_m, left_m);
+        const TickFault right =
+            travel(now.right, last_.right, wheels.right_m_per_tick, limit_m, right_m);
         last_ = now;
         if (left != TickFault::reset && right != TickFault::reset)
             return left == TickFault::none ? right : left;
@@ -79,10 +83,12 @@ class TickCounter {
         // Unsigned, since a peer may send any two numbers and their difference may not fit.
         const auto ticks = static_cast<std::int64_t>(static_cast<std::uint64_t>(now) -
                                                      static_cast<std::uint64_t>(last));
-        for (const std::int64_t turn : {std::int64_t{0}, std::int64_t{1} << 32, std::int64_t{1} << 16})
+        for (const std::int64_t turn :
+             {std::int64_t{0}, std::int64_t{1} << 32, std::int64_t{1} << 16})
             for (const std::int64_t wrap : {turn, -turn}) {
                 travel_m = (static_cast<double>(ticks) + static_cast<double>(wrap)) * m_per_tick;
-                if (std::abs(travel_m) <= limit_m) return turn == 0 ? TickFault::none : TickFault::wrapped;
+                if (std::abs(travel_m) <= limit_m)
+                    return turn == 0 ? TickFault::none : TickFault::wrapped;
             }
         return TickFault::reset;
     }

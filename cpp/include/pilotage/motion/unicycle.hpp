@@ -9,8 +9,8 @@
 
 namespace pilotage {
 
-/// f(x, u) with its Jacobians by the pose (every planar motion's has the structure of HeadingShear) and by
-/// the input.
+/// f(x, u) with its Jacobians by the pose (every planar motion's has the structure of HeadingShear)
+/// and by the input.
 template <typename Scalar, int Inputs>
 struct MotionStep {
     Pose<Scalar> next;
@@ -28,8 +28,8 @@ enum class Chord {
 /// Runnable example: tests/cpp/motion/test_unicycle.cpp.
 template <typename Scalar, Chord kChord>
 struct Unicycle {
-    /// Direction of travel of the mid-axis relative to the heading (side slip, or a heading that is defined
-    /// by something else than the wheels).
+    /// Direction of travel of the mid-axis relative to the heading (side slip, or a heading that is
+    /// defined by something else than the wheels).
     Scalar slip_angle_rad = 0;
 
     [[nodiscard]] MotionStep<Scalar, 2> linearize(const Pose<Scalar>& x,
@@ -41,26 +41,36 @@ struct Unicycle {
         const Scalar c = cos(direction), s = sin(direction);
         Scalar chord = 1, chord_by_turn = 0;  // per metre driven
         if constexpr (kChord == Chord::arc) chord_of(turn, chord, chord_by_turn);
-        const Scalar dx = distance * chord * c, dy = distance * chord * s;
+        const Scalar forward_x = chord * c, forward_y = chord * s;  // per metre driven
+        const Scalar dx = distance * forward_x, dy = distance * forward_y;
+        const Scalar longer = times(distance, chord_by_turn);
         MotionStep<Scalar, 2> step;
-        step.next << x[kX] + dx, x[kY] + dy, wrap<Scalar>(x[kHeading] + turn);
+        step.next[kX] = x[kX] + dx;
+        step.next[kY] = x[kY] + dy;
+        step.next[kHeading] = wrap<Scalar>(x[kHeading] + turn);
         step.a = {dx, dy};
-        step.b << chord * c, distance * chord_by_turn * c - dy / 2,  //
-            chord * s, distance * chord_by_turn * s + dx / 2,        //
-            Scalar(0), Scalar(1);
+        step.b(kX, 0) = forward_x;
+        step.b(kY, 0) = forward_y;
+        step.b(kHeading, 0) = 0;
+        step.b(kX, 1) = times(c, longer) + dy * Scalar(-0.5);
+        step.b(kY, 1) = times(s, longer) + dx * Scalar(0.5);
+        step.b(kHeading, 1) = 1;
         return step;
     }
 
    private:
-    /// sin(t/2) / (t/2) and its derivative by t; a series below 0.1 rad, where the quotient loses digits.
+    /// sin(t/2) / (t/2) and its derivative by t; a series below 0.1 rad, where the quotient loses
+    /// digits.
     static void chord_of(const Scalar& turn, Scalar& chord, Scalar& chord_by_turn) noexcept {
         using std::abs;
         using std::cos;
         using std::sin;
         const Scalar half = turn / 2, h2 = half * half;
         if (abs(turn) < Scalar(0.1)) {
-            chord = 1 - h2 / 6 * (1 - h2 / 20 * (1 - h2 / 42 * (1 - h2 / 72)));
-            chord_by_turn = -half / 6 * (1 - h2 / 10 * (1 - h2 / 28 * (1 - h2 / 54)));
+            const auto part = [&](int divisor) { return h2 * Scalar(1.0 / divisor); };
+            chord = 1 - part(6) * (1 - part(20) * (1 - part(42) * (1 - part(72))));
+            chord_by_turn =
+                half * Scalar(-1.0 / 6) * (1 - part(10) * (1 - part(28) * (1 - part(54))));
         } else {
             chord = sin(half) / half;
             chord_by_turn = (cos(half) - chord) / turn;

@@ -13,9 +13,8 @@ struct Bearing {
     static constexpr bool kWraps = true;
 
     [[nodiscard]] Prediction<Scalar> predict(const LineOfSight<Scalar>& sight) const noexcept {
-        using std::atan2;
         const Scalar per_square = 1 / sight.ground_squared;
-        return {atan2(sight.dy, sight.dx) - sight.sensor_heading_rad, sight.dy * per_square,
+        return {direction_of(sight.dx, sight.dy) - sight.sensor_heading_rad, sight.dy * per_square,
                 -sight.dx * per_square, Scalar(-1)};
     }
 };

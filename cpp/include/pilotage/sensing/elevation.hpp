@@ -6,18 +6,18 @@
 
 namespace pilotage {
 
-/// Eq. 24 of Kiriy and Buehler 2002 for a marker on the ground (dz = -mu), and the second row of eq. 25 with
-/// the signs that follow from eq. 24 (they are printed the other way round).
+/// Eq. 24 of Kiriy and Buehler 2002 for a marker on the ground (dz = -mu), and the second row of
+/// eq. 25 with the signs that follow from eq. 24 (they are printed the other way round).
 template <typename Scalar>
 struct Elevation {
     static constexpr ComponentIndex kIndex = kElevation;
     static constexpr bool kWraps = false;
 
     [[nodiscard]] Prediction<Scalar> predict(const LineOfSight<Scalar>& sight) const noexcept {
-        using std::atan2;
+        using std::atan;
         const Scalar slant_squared = sight.ground_squared + sight.dz * sight.dz;
         const Scalar factor = sight.dz / (sight.ground * slant_squared);
-        return {atan2(sight.dz, sight.ground), sight.dx * factor, sight.dy * factor, Scalar(0)};
+        return {atan(sight.dz / sight.ground), sight.dx * factor, sight.dy * factor, Scalar(0)};
     }
 };
 

@@ -11,8 +11,8 @@ namespace pilotage {
 /// Places of the components in a sighting and its report.
 enum ComponentIndex : int { kBearing = 0, kElevation = 1, kRange = 2 };
 
-/// \f$\Delta\f$ = marker - sensor in frame map, and the distance d over ground (below eq. 24 of Kiriy and
-/// Buehler 2002).
+/// \f$\Delta\f$ = marker - sensor in frame map, and the distance d over ground (below eq. 24 of
+/// Kiriy and Buehler 2002).
 template <typename Scalar>
 struct LineOfSight {
     Scalar dx, dy, dz;          ///< m

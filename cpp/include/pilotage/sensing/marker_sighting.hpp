@@ -1,8 +1,10 @@
 #pragma once
 /// \file
-/// What one marker shows at once: any list of components (bearing, elevation, range) as one measurement.
+/// What one marker shows at once: any list of components (bearing, elevation, range) as one
+/// measurement.
 ///
-/// A component is a value with `predict(LineOfSight)` and `kWraps`; a new one is a header like bearing.hpp.
+/// A component is a value with `predict(LineOfSight)` and `kWraps`; a new one is a header like
+/// bearing.hpp.
 
 #include <tuple>
 #include <utility>
@@ -20,7 +22,8 @@ struct Measurement {
     bool defined = true;
 };
 
-/// Components measured together from a sensor pose; runnable example: tests/cpp/sensing/test_marker_sighting.cpp.
+/// Components measured together from a sensor pose; runnable example:
+/// tests/cpp/sensing/test_marker_sighting.cpp.
 template <typename Scalar, typename... Components>
 struct MarkerSighting {
     static constexpr int kStates = kPoseStates;
@@ -37,23 +40,23 @@ struct MarkerSighting {
         const LineOfSight<Scalar> sight(sensor, marker_above_sensor);
         Measurement<Scalar, kComponents, kStates> h;
         h.defined = sight.ground >= min_ground_m;
-        fill(h, sight, std::make_index_sequence<sizeof...(Components)>{});
+        fill_rows(h, sight, std::make_index_sequence<sizeof...(Components)>{});
         return h;
     }
 
     /// Measured less predicted; bearings wrap here.
     [[nodiscard]] Values minus(const Values& z, const Values& predicted) const noexcept {
         constexpr bool wraps[] = {Components::kWraps...};
-        Values difference = z - predicted;
-        for (int i = 0; i < kComponents; ++i)
-            if (wraps[i]) difference[i] = wrap(difference[i]);
-        return difference;
+        return entries<Values>([&](int i, int) {
+            const Scalar difference = z[i] - predicted[i];
+            return wraps[i] ? wrap(difference) : difference;
+        });
     }
 
    private:
     template <std::size_t... I>
-    void fill(Measurement<Scalar, kComponents, kStates>& h, const LineOfSight<Scalar>& sight,
-              std::index_sequence<I...>) const noexcept {
+    void fill_rows(Measurement<Scalar, kComponents, kStates>& h, const LineOfSight<Scalar>& sight,
+                   std::index_sequence<I...>) const noexcept {
         (fill_row<static_cast<int>(I)>(h, std::get<I>(components).predict(sight)), ...);
     }
 

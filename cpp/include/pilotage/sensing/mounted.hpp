@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// A sensor somewhere on the robot: moves a model that speaks of the sensor's pose to the robot's pose.
+/// A sensor somewhere on the robot: moves a model that speaks of the sensor's pose to the robot's
+/// pose.
 
 #include <cmath>
 
@@ -14,8 +15,9 @@ struct PlanarMounting {
     Scalar x_m = 0, y_m = 0, yaw_rad = 0;
 };
 
-/// The model seen through the mounting. A sensor moves with the robot as a rigid body, so its pose depends on
-/// the robot's heading as any planar displacement does: dx_s/dheading = -offset_y, dy_s/dheading = offset_x.
+/// The model seen through the mounting. A sensor moves with the robot as a rigid body, so its pose
+/// depends on the robot's heading as any planar displacement does: dx_s/dheading = -offset_y,
+/// dy_s/dheading = offset_x.
 template <typename Model, typename Scalar>
 struct Mounted {
     static constexpr int kStates = Model::kStates;
@@ -32,8 +34,9 @@ struct Mounted {
         const Scalar offset_y = s * mounting.x_m + c * mounting.y_m;
         auto h = model.linearize(Pose<Scalar>(robot[kX] + offset_x, robot[kY] + offset_y,
                                               robot[kHeading] + mounting.yaw_rad));
-        h.jacobian.col(kHeading) +=
-            h.jacobian.col(kY) * offset_x - h.jacobian.col(kX) * offset_y;
+        each<Values::RowsAtCompileTime>([&](int i) {
+            h.jacobian(i, kHeading) += h.jacobian(i, kY) * offset_x - h.jacobian(i, kX) * offset_y;
+        });
         return h;
     }
 

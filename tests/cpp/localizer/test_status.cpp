@@ -1,0 +1,112 @@
+// What the status promises, and when it changes.
+
+#include "support/localizers.hpp"
+#include "support/robots.hpp"
+
+namespace pilotage::test {
+namespace {
+
+PILOTAGE_LOCALIZER_SUITE(StatusTest);
+
+const MarkerMap kMap({{1, 6, 2, 0.4, 0}, {2, 6, -2, 0, 0}});
+
+/// A robot that stands, told the time and, if asked, shown a marker.
+void stand(Robot& robot, std::int64_t utime, bool shown = false) {
+    if (shown) robot.add(sighting_at(utime - 1, 1, view({0, 0, 0}, kMap.markers()[0])));
+    robot.add(encoders_at(utime, 0, 0));
+}
+
+TEST_P(StatusTest, WaitsForAPoseAndForMotion) {
+    Params params = plain_params();
+    Robot robot(GetParam(), params, kMap);
+    EXPECT_EQ(robot.estimate().status, Status::waiting);
+    robot.add(gyro_at(0, 0));
+    EXPECT_EQ(robot.estimate().status, Status::waiting);
+    EXPECT_FALSE(robot.started());
+    stand(robot, kPeriod);
+    EXPECT_EQ(robot.estimate().status, Status::initializing);
+    EXPECT_TRUE(robot.started());
+}
+
+TEST_P(StatusTest, IsNotOkBeforeASightingConfirmsThePose) {
+    Robot robot(GetParam(), plain_params(), kMap);
+    for (int i = 0; i < 100; ++i) stand(robot, i * kPeriod);
+    EXPECT_EQ(robot.estimate().status, Status::initializing);
+    stand(robot, 100 * kPeriod, true);
+    EXPECT_EQ(robot.estimate().status, Status::ok);
+}
+
+TEST_P(StatusTest, IsNotConfirmedByARejectedSighting) {
+    Robot robot(GetParam(), plain_params(), kMap);
+    stand(robot, 0);
+    robot.add(sighting_at(1, 77, {0.1, 0.1, 5}));
+    stand(robot, kPeriod);
+    EXPECT_EQ(robot.estimate().status, Status::initializing);
+}
+
+TEST_P(StatusTest, BecomesDeadReckoningWithoutSightingsAndOkWithOne) {
+    Params params = plain_params();
+    params.status.dead_reckoning_after_s = 3;
+    Robot robot(GetParam(), params, kMap);
+    stand(robot, 0);
+    stand(robot, kSecond, true);
+    stand(robot, 4 * kSecond - 1);
+    EXPECT_EQ(robot.estimate().status, Status::ok);
+    stand(robot, 4 * kSecond);
+    EXPECT_EQ(robot.estimate().status, Status::dead_reckoning);
+    stand(robot, 5 * kSecond, true);
+    EXPECT_EQ(robot.estimate().status, Status::ok);
+}
+
+/// 95 % of a plane Gaussian of sigma s lie within 2.4477 s.
+TEST_P(StatusTest, IsOkOnlyWhereThe95PercentRadiusIsBelowTheAlertLimit) {
+    for (const bool below : {true, false}) {
+        Params params = plain_params();
+        params.initial.sigma_position_m = 0.2;
+        params.sensors[0].sigma_bearing_rad = 1e3;  // confirms and tells nothing
+        params.status.alert_limit_m = 0.2 * 2.4477 * (below ? 1.01 : 0.99);
+        Robot robot(GetParam(), params, kMap);
+        stand(robot, 0);
+        robot.add(sighting_at(1, 1, {0.3, kNan, kNan}));
+        stand(robot, kPeriod);
+        EXPECT_EQ(robot.estimate().status, below ? Status::ok : Status::dead_reckoning);
+    }
+}
+
+TEST_P(StatusTest, CountsTheLongAxisOfTheEllipse) {
+    Params params = plain_params();
+    params.status.alert_limit_m = 1;
+    Robot robot(GetParam(), params, kMap);
+    stand(robot, 0);
+    // Along the diagonal sigma is 0.5 m, across it 0.01 m; x and y alone have 0.35 m.
+    Sample reset = reset_at(1, {0, 0, 0}, {1, 1, 0.01});
+    const double covariance[] = {0.12505, 0.12495, 0.12505, 0, 0, 1e-4};
+    std::copy(std::begin(covariance), std::end(covariance), reset.payload.reset.covariance);
+    robot.add(reset);
+    Sample seen = sighting_at(2, 1, {0.3, kNan, kNan});
+    seen.payload.sighting.sigma[0] = 1e3;
+    robot.add(seen);
+    stand(robot, kPeriod);
+    EXPECT_EQ(robot.tally.of(seen), Verdict::fused);
+    EXPECT_EQ(robot.estimate().status, Status::dead_reckoning) << "0.5 m * 2.4477 > 1 m";
+}
+
+TEST_P(StatusTest, FallsBackWhenTheDriveMakesThePoseUnsure) {
+    Params params = plain_params();
+    params.noise.position_m_per_sqrt_m = 0.3;
+    params.status.alert_limit_m = 1;
+    params.status.dead_reckoning_after_s = 1e6;
+    Robot robot(GetParam(), params, kMap);
+    stand(robot, 0);
+    stand(robot, kPeriod, true);
+    bool was_ok = false;
+    for (int i = 2; i < 300; ++i) {
+        robot.add(encoders_at(i * kPeriod, 10 * (i - 1), 10 * (i - 1)));
+        was_ok |= robot.estimate().status == Status::ok;
+    }
+    EXPECT_TRUE(was_ok);
+    EXPECT_EQ(robot.estimate().status, Status::dead_reckoning);
+}
+
+}  // namespace
+}  // namespace pilotage::test

@@ -1,0 +1,59 @@
+"""`pilotage simulate` into a log."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from support.command import pilotage
+
+
+def test_a_simulated_log_replays_with_the_configuration_beside_it(tmp_path: Path):
+    log, config = tmp_path / "eight.lcmlog", tmp_path / "eight.yaml"
+    simulated = pilotage(
+        "simulate", "figure-eight", "-o", log, "--duration", 20, "--gyro-bias", 0.002,
+        "--slip", 0.02, "--latency", 0.1, "--seed", 4,
+    )  # fmt: skip
+    assert simulated.returncode == 0, simulated.stderr
+    assert f"pilotage replay {log} --config {config}" in simulated.stdout
+    replayed = pilotage("replay", log, "--config", config, "--no-figures", "-o", tmp_path / "out")
+    assert replayed.returncode == 0, replayed.stderr
+    metrics = json.loads((tmp_path / "out" / "metrics.json").read_text())
+    assert metrics["position"]["rmse_m"] < 0.05
+    assert metrics["counts"]["rejected"] == {}
+
+
+def test_a_seed_gives_the_same_file(tmp_path: Path):
+    for name, seed in (("a", 7), ("b", 7), ("c", 8)):
+        options = ("--duration", 5, "--seed", seed)
+        result = pilotage(
+            "simulate", "circle-four-poles", "-o", tmp_path / f"{name}.lcmlog", *options
+        )
+        assert result.returncode == 0, result.stderr
+    a, b, c = ((tmp_path / f"{name}.lcmlog").read_bytes() for name in "abc")
+    assert a == b
+    assert a != c
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["square", "-o", "x.lcmlog"], ["square", "mower-spiral", "figure-eight"]),
+        (["figure-eight"], ["-o", "--live"]),
+        (["figure-eight", "-o", "x.lcmlog", "--live"], ["-o", "--live"]),
+        (["figure-eight", "-o", "x.yaml"], ["x.yaml", "another name"]),
+        (["figure-eight", "-o", "missing/x.lcmlog"], ["missing/x.lcmlog", "No such file"]),
+        (["figure-eight", "-o", "x.lcmlog", "--duration", "0"], ["--duration", "0", "1 to"]),
+        (["figure-eight", "-o", "x.lcmlog", "--noise", "-1"], ["--noise", "-1", "0 to"]),
+        (["figure-eight", "-o", "x.lcmlog", "--slip", "1"], ["--slip", "1", "0.9"]),
+        (["figure-eight", "-o", "x.lcmlog", "--latency", "nan"], ["--latency", "nan"]),
+        (["figure-eight", "-o", "x.lcmlog", "--gyro-bias", "inf"], ["--gyro-bias", "inf"]),
+    ],
+)
+def test_what_cannot_be_simulated_is_named(tmp_path: Path, arguments, words):
+    result = pilotage("simulate", *arguments, cwd=tmp_path)
+    assert result.returncode == 2
+    assert "Traceback" not in result.stderr
+    for word in words:
+        assert word in result.stderr
+    assert list(tmp_path.iterdir()) == []
