@@ -73,18 +73,18 @@ std::vector<SightingReport> Run::final_reports() const {
         at;
     std::vector<SightingReport> rows;
     for (const SightingReport& report : reports_) {
-        if (report.verdict ==
-            Verdict::duplicate) {  // not a revision of the sighting that it repeats
-            rows.push_back(report);
-            continue;
-        }
         const auto key =
             std::make_tuple(report.utime, report.sensor, report.frame_seq, report.index, report.id);
-        const auto [place, fresh] = at.emplace(key, rows.size());
-        if (fresh)
-            rows.push_back(report);
-        else
-            rows[place->second] = report;
+        if (report.revision > 0) {
+            rows[at.at(key)] = report;
+            continue;
+        }
+        // What is refused at the door has no revisions; it may be a copy of a sighting that has.
+        const Verdict v = report.verdict;
+        const bool refused = v == Verdict::duplicate || v == Verdict::late ||
+                             v == Verdict::bad_value || v == Verdict::not_initialized;
+        if (!refused) at[key] = rows.size();
+        rows.push_back(report);
     }
     return rows;
 }

@@ -100,8 +100,8 @@ std::vector<double> read_table(const std::string& path, const std::vector<int>& 
             while (at != stop && separates(*at)) ++at;
             if (at == stop || *at == '#' || *at == '%') break;
             double value = 0;
-            if (*at == '+') ++at;
-            const auto [next, error] = std::from_chars(at, stop, value);
+            const bool plus = *at == '+' && stop - at > 1 && at[1] != '-';
+            const auto [next, error] = std::from_chars(at + (plus ? 1 : 0), stop, value);
             if (error != std::errc{} || (next != stop && !separates(*next))) {
                 const char* word = at;
                 while (word != stop && !separates(*word)) ++word;

@@ -38,5 +38,5 @@ def save_results(
 
 
 def _write_truth(truth: NDArray[Any], path: Path) -> None:
-    rows = "".join(f"{t},{x:.12g},{y:.12g},{heading:.12g}\n" for t, x, y, heading in truth.tolist())
+    rows = "".join(f"{t},{x},{y},{heading}\n" for t, x, y, heading in truth.tolist())
     path.write_text("utime,x,y,heading\n" + rows, encoding="utf-8")

@@ -56,14 +56,14 @@ def spiral(duration_s: float) -> Drive:
     v[t < 1.0] = 0.0  # it stands at first
     radius = 4.0 + 16.0 * t / 549.0
     omega = np.empty(n)
-    heading = np.pi / 2
+    heading = 0.0
     for first in range(0, n, HELD_STEPS):
         held = slice(first, first + HELD_STEPS)
         v[held] = v[first]
         # A bend that depends on the heading alone keeps the ovals where they are.
         omega[held] = v[first] / radius[first] * (1 + 0.4 * np.cos(2 * heading))
         heading += omega[first] * HELD_STEPS * (STEP_US * 1e-6)
-    return drive(np.array([radius[0], 0.0, np.pi / 2]), v, omega)
+    return drive(np.array([0.0, -1.3 * radius[0], 0.0]), v, omega)
 
 
 def circle(duration_s: float, radius_m: float = 1.5, speed_m_s: float = 0.5) -> Drive:

@@ -42,7 +42,11 @@ class Scenario:
                 noise_m_per_sqrt_m=factor * encoders.noise_m_per_sqrt_m,
                 m_per_tick=encoders.m_per_tick if factor > 0 else EXACT_M_PER_TICK,
             ),
-            gyro=replace(gyro, noise_rad_per_sqrt_s=factor * gyro.noise_rad_per_sqrt_s),
+            gyro=replace(
+                gyro,
+                noise_rad_per_sqrt_s=factor * gyro.noise_rad_per_sqrt_s,
+                walk_rad_s_per_sqrt_s=factor * gyro.walk_rad_s_per_sqrt_s,
+            ),
             cameras=tuple(replace(c, sigma=_scaled(c.sigma, factor)) for c in self.cameras),
         )
 
@@ -152,6 +156,7 @@ def suitable_config(scenario: Scenario, markers: MarkerMap, drive: Drive) -> Con
         "noise.gyro_rad_per_sqrt_s": gyro.noise_rad_per_sqrt_s,
         "noise.position_m_per_sqrt_m": 0.0,  # all that is uncertain of this motion is its sensors
         "calibration.gyro_bias.sigma": max(abs(gyro.bias_rad_s), 1e-3),
+        "calibration.gyro_bias.walk": gyro.walk_rad_s_per_sqrt_s,
         "calibration.distance_scale.sigma": max(encoders.slip, 0.01),
     }
     for name, value in zip(("x_m", "y_m", "heading_rad"), drive.pose[0], strict=True):

@@ -21,12 +21,14 @@ class Encoders:
     noise_m_per_sqrt_m: float = 0.01
     slip: float = 0.0
     """Part of the measured travel that moves nothing, both wheels."""
+    scale: tuple[float, float] = (1.0, 1.0)
+    """Measured over true travel of the left and the right wheel, as by a tyre's wear."""
 
     def ticks(self, drive: Drive, rng: np.random.Generator) -> NDArray[np.int64]:
         """(n + 1, 2) absolute ticks, left and right, at the drive's stamps."""
         dt = np.diff(drive.utime) * 1e-6
         middle, half = drive.v * dt, drive.omega * dt * self.track_width_m / 2
-        travel = np.column_stack([middle - half, middle + half]) / (1.0 - self.slip)
+        travel = np.column_stack([middle - half, middle + half]) * self.scale / (1.0 - self.slip)
         sigma = self.noise_m_per_sqrt_m * np.sqrt(np.abs(travel))
         travel += sigma * rng.standard_normal(travel.shape)
         total = np.vstack([np.zeros((1, 2)), np.cumsum(travel, axis=0)])
@@ -35,16 +37,21 @@ class Encoders:
 
 @dataclass(frozen=True)
 class Gyro:
-    """A yaw rate sensor with white noise, and a bias that it keeps."""
+    """A yaw rate sensor with white noise, and a bias that it keeps or that wanders."""
 
     noise_rad_per_sqrt_s: float = 2e-4
     bias_rad_s: float = 0.0
+    """At the start."""
+    walk_rad_s_per_sqrt_s: float = 0.0
+    """Random walk of the bias."""
 
     def rates(self, drive: Drive, rng: np.random.Generator) -> NDArray[np.float64]:
         """(n + 1,) mean rate over the interval that ends at each stamp, rad/s."""
         dt = np.diff(drive.utime) * 1e-6
         noise = self.noise_rad_per_sqrt_s / np.sqrt(dt) * rng.standard_normal(len(dt))
-        return np.append(drive.omega[0], drive.omega + noise) + self.bias_rad_s
+        walk = self.walk_rad_s_per_sqrt_s * np.sqrt(dt) * rng.standard_normal(len(dt))
+        bias = self.bias_rad_s + np.append(0.0, np.cumsum(walk))
+        return np.append(drive.omega[0], drive.omega + noise) + bias
 
 
 @dataclass(frozen=True)
@@ -60,6 +67,8 @@ class Camera:
     rate_hz: float = 2.0
     reach_m: float = 12.0
     half_view_rad: float = np.pi
+    dropout: float = 0.0
+    """Part of what is in view that it misses."""
 
     def sightings(
         self, drive: Drive, markers: MarkerMap, rng: np.random.Generator
@@ -85,6 +94,8 @@ class Camera:
             for marker, model in models.items():
                 value = np.array(model.linearize(pose)[0])
                 if value[2] > self.reach_m or abs(wrap_angle(value[0])) > self.half_view_rad:
+                    continue
+                if rng.random() < self.dropout:
                     continue
                 value += np.array(self.sigma) * rng.standard_normal(3)
                 value[0] = wrap_angle(value[0])

@@ -20,7 +20,7 @@ def test_rows_carry_label_value_and_unit() -> None:
     assert Row("NEES, mean (expected 3)", "0.26", "") in rows
     assert Row("NIS of camera, mean (expected 1)", "1.25", "") in rows
     assert Row("rejected: gate", "4", "") in rows
-    assert Row("speed", "3000", "messages/s") in rows
+    assert Row("speed", "3,000", "messages/s") in rows
 
 
 def test_what_is_not_known_has_no_row() -> None:

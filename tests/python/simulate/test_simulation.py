@@ -66,6 +66,31 @@ def test_the_gyros_angle_is_a_random_walk_of_the_stated_size_about_its_bias():
     assert np.std(error) / np.sqrt(0.01) == pytest.approx(1e-3, rel=0.02)
 
 
+def test_the_gyros_bias_wanders_as_stated():
+    drive = circle(400.0)
+    gyro = Gyro(noise_rad_per_sqrt_s=0.0, walk_rad_s_per_sqrt_s=1e-4)
+    steps = np.diff(gyro.rates(drive, np.random.default_rng(0))[1:] - drive.omega)
+    assert np.std(steps) / np.sqrt(0.01) == pytest.approx(1e-4, rel=0.02)
+
+
+def test_each_wheel_has_its_own_scale():
+    drive = circle(100.0)
+    rng = np.random.default_rng(0)
+    exact = Encoders(m_per_tick=1e-9, noise_m_per_sqrt_m=0.0)
+    ratio = replace(exact, scale=(1.02, 0.99)).ticks(drive, rng)[-1] / exact.ticks(drive, rng)[-1]
+    np.testing.assert_allclose(ratio, (1.02, 0.99), rtol=1e-6)
+
+
+def test_a_camera_misses_the_stated_part():
+    full = _short("figure-eight").cameras[0]
+    counts = []
+    for camera in (full, replace(full, dropout=0.3)):
+        scenario = _short("figure-eight", cameras=(camera,))
+        simulation = simulate(scenario, np.random.default_rng(1))
+        counts.append(pilotage.replay(simulation.config, simulation.recording).counts["samples"])
+    assert counts[1] / counts[0] == pytest.approx(0.7, abs=0.05)
+
+
 @pytest.mark.parametrize("name", SCENARIOS)
 def test_the_suitable_configuration_is_consistent(name: str):
     nees = []
