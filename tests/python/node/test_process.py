@@ -27,7 +27,10 @@ def test_a_signal_ends_it_cleanly(end: signal.Signals, tmp_path: Path):
         ("map: missing.yaml", ["missing.yaml", "cannot be opened"]),
         ("map: [{id: 1, x: 0, y: 0}, {id: 1, x: 1, y: 0}]", ["id 1", "twice"]),
         ("gyro: {channel: A}\ngyro: {channel: B}", ["robot.yaml:2", "twice"]),
-        ("initial: {x_m: .nan, y_m: 0, heading_rad: 0}", ["initial.x_m", ".nan", "expected a number"]),
+        (
+            "initial: {x_m: .nan, y_m: 0, heading_rad: 0}",
+            ["initial.x_m", ".nan", "expected a number"],
+        ),
         ("encoders: {channel: ENCODERS", ["robot.yaml", "not YAML"]),
         ("sensors: {camera: {z_m: 1}}", ["'map' is missing"]),
     ],
