@@ -8,14 +8,6 @@
 #endif
 
 namespace bench {
-namespace {
-
-Matrix<double, 2> diagonal(const Vector<double, 2>& variances) {
-    return symmetric<Matrix<double, 2>>([&](int i, int j) { return i == j ? variances[i] : 0.0; });
-}
-
-}  // namespace
-
 [[gnu::flatten]] void predict_pilotage(Ekf<double, 3>& filter, const Case& c) {
     filter.predict(Unicycle<double, Chord::midpoint>{}, c.u, c.gamma, c.q);
 }
@@ -47,6 +39,10 @@ bool update_by_hand(ScalarStep& filter, const Case& c) {
 [[gnu::flatten]] Report update6_pilotage(Ekf<double, 6>& filter, const Case& c,
                                          const Policy& policy) {
     return filter.update(c.sighting, c.z, diagonal(c.variances), policy);
+}
+
+SightingReport update_localizer(Ekf<double, 3>& filter, const Case& c, const Site& site) {
+    return fuse_sighting(filter, c.sample, site.map, site.sensor, site.policy);
 }
 
 #ifdef BENCH_SYMFORCE

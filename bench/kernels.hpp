@@ -19,6 +19,7 @@ void predict6_pilotage(Ekf<double, 6>& filter, const Case& c);
 Report update_pilotage(Ekf<double, 3>& filter, const Case& c, const Policy& policy);
 bool update_by_hand(ScalarStep& filter, const Case& c);
 Report update6_pilotage(Ekf<double, 6>& filter, const Case& c, const Policy& policy);
+SightingReport update_localizer(Ekf<double, 3>& filter, const Case& c, const Site& site);
 
 #ifdef BENCH_SYMFORCE
 /// Generated functions may not write over what they read: two places, used in turn.

@@ -2,6 +2,7 @@
 /// Races the steps of kernels.hpp and prints one line `name median_ns` each. With a name and a
 /// count it runs that step alone, for callgrind.
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -12,12 +13,35 @@
 namespace bench {
 namespace {
 
-const auto cases = make_cases();
+Site site;
+const auto cases = make_cases(site);
 const Policy plain;
 
+using E3 = Ekf<double, 3>;
+using E6 = Ekf<double, 6>;
+
+E3 three(const Case& c) {
+    return {c.x.head<3>(), c.p.topLeftCorner<3, 3>()};
+}
+
+E6 six(const Case& c) {
+    return {c.x, c.p};
+}
+
+ScalarStep scalar(const Case& c) {
+    return {c.x[0],    c.x[1],    c.x[2],    c.p(0, 0), c.p(1, 0),
+            c.p(1, 1), c.p(2, 0), c.p(2, 1), c.p(2, 2)};
+}
+
+#ifdef BENCH_SYMFORCE
+SymforceStep generated(const Case& c) {
+    return {{c.x.head<3>(), {}}, {c.p.topLeftCorner<3, 3>(), {}}, 0};
+}
+#endif
+
 /// A chain of predictions as a drive makes it: every step waits for the one before.
-template <typename Filter, typename Make, typename Step>
-Contender chain(const char* name, Make make, Step step) {
+template <typename Filter, typename Step>
+Contender chain(const char* name, Filter (*make)(const Case&), Step step) {
     auto filter = std::make_shared<Filter>();
     return {name, [=] { *filter = make(cases[0]); },
             [=] {
@@ -26,8 +50,8 @@ Contender chain(const char* name, Make make, Step step) {
 }
 
 /// Updates of 64 filters, each from its own start.
-template <typename Filter, typename Make, typename Step>
-Contender field(const char* name, Make make, Step step) {
+template <typename Filter, typename Step>
+Contender field(const char* name, Filter (*make)(const Case&), Step step) {
     auto filters = std::make_shared<std::array<Filter, kCases>>();
     return {name,
             [=] {
@@ -38,42 +62,50 @@ Contender field(const char* name, Make make, Step step) {
             }};
 }
 
-Ekf<double, 3> three(const Case& c) {
-    return {c.x.head<3>(), c.p.topLeftCorner<3, 3>()};
-}
-Ekf<double, 6> six(const Case& c) {
-    return {c.x, c.p};
-}
-ScalarStep scalar(const Case& c) {
-    return {c.x[0],    c.x[1],    c.x[2],    c.p(0, 0), c.p(1, 0),
-            c.p(1, 1), c.p(2, 0), c.p(2, 1), c.p(2, 2)};
+std::vector<Contender> contenders() {
+    return {
+        chain("predict_pilotage", three, predict_pilotage),
+        chain("predict_by_hand", scalar, predict_by_hand),
+        chain("predict_pilotage_wheels", three, predict_pilotage_wheels),
+        chain("predict6_pilotage", six, predict6_pilotage),
+        field("update_pilotage", three, [](E3& f, const Case& c) { update_pilotage(f, c, plain); }),
+        field("update_by_hand", scalar, update_by_hand),
+        field("update6_pilotage", six, [](E6& f, const Case& c) { update6_pilotage(f, c, plain); }),
+        field("update_localizer", three,
+              [](E3& f, const Case& c) { update_localizer(f, c, site); }),
+#ifdef BENCH_SYMFORCE
+        chain("predict_symforce", generated, predict_symforce),
+        field("update_symforce", generated, update_symforce),
+#endif
+    };
 }
 
-std::vector<Contender> contenders() {
-    using E3 = Ekf<double, 3>;
-    using E6 = Ekf<double, 6>;
-    std::vector<Contender> all{
-        chain<E3>("predict_pilotage", three, predict_pilotage),
-        chain<ScalarStep>("predict_by_hand", scalar, predict_by_hand),
-        chain<E3>("predict_pilotage_wheels", three, predict_pilotage_wheels),
-        chain<E6>("predict6_pilotage", six, predict6_pilotage),
-        field<E3>("update_pilotage", three,
-                  [](E3& f, const Case& c) { update_pilotage(f, c, plain); }),
-        field<ScalarStep>("update_by_hand", scalar, update_by_hand),
-        field<E6>("update6_pilotage", six,
-                  [](E6& f, const Case& c) { update6_pilotage(f, c, plain); }),
-    };
+/// The largest difference in state and covariance between the contenders after a step of each kind:
+/// they do the same work.
+double difference() {
+    double worst = 0;
+    for (const Case& c : cases) {
+        E3 ours = three(c);
+        predict_pilotage(ours, c);
+        update_pilotage(ours, c, plain);
+        const auto compare = [&](const Vector<double, 3>& x, const Matrix<double, 3>& p) {
+            worst = std::max({worst, minus<double, 3>(ours.state(), x).cwiseAbs().maxCoeff(),
+                              (ours.covariance() - p).cwiseAbs().maxCoeff()});
+        };
+        ScalarStep hand = scalar(c);
+        predict_by_hand(hand, c);
+        update_by_hand(hand, c);
+        Matrix<double, 3> p;
+        p << hand.xx, hand.yx, hand.hx, hand.yx, hand.yy, hand.hy, hand.hx, hand.hy, hand.hh;
+        compare({hand.x, hand.y, hand.heading}, p);
 #ifdef BENCH_SYMFORCE
-    const auto make = [](const Case& c) {
-        SymforceStep step;
-        step.x[0] = c.x.head<3>();
-        step.p[0] = c.p.topLeftCorner<3, 3>();
-        return step;
-    };
-    all.push_back(chain<SymforceStep>("predict_symforce", make, predict_symforce));
-    all.push_back(field<SymforceStep>("update_symforce", make, update_symforce));
+        SymforceStep sym = generated(c);
+        predict_symforce(sym, c);
+        update_symforce(sym, c);
+        compare(sym.x[sym.now], sym.p[sym.now]);
 #endif
-    return all;
+    }
+    return worst;
 }
 
 }  // namespace
@@ -90,6 +122,8 @@ int main(int argc, char** argv) {
                 }
         return 0;
     }
-    bench::race(contenders, bench::kCases, 3000);
+    constexpr int kRounds = 3000;
+    bench::race(contenders, bench::kCases, kRounds);
     for (const auto& c : contenders) std::printf("%s %.2f\n", c.name.c_str(), bench::median(c.ns));
+    std::printf("difference %.1e\n", bench::difference());
 }

@@ -81,24 +81,15 @@ template <typename Scalar>
     shear_pose(a.shear, result);
     // What calibration brings: P_cp += P_cc C', and P_pp += C P_cp + (C P_cp)' with half of that
     // added.
-    auto cross = [&](int i, int j) -> Scalar& { return result(kPoseStates + i, j); };
-    const auto half = entries<Matrix<Scalar, 3>>([&](int i, int j) {
-        const int row = kPoseStates + i;
-        const auto at = [&](int k) {
-            return row >= kPoseStates + k ? p(row, kPoseStates + k) : p(kPoseStates + k, row);
-        };
-        return Scalar(0.5) * (at(0) * c(j, 0) + at(1) * c(j, 1) + at(2) * c(j, 2));
+    const auto p_cc = [&](int i, int j) { return i >= j ? p(3 + i, 3 + j) : p(3 + j, 3 + i); };
+    const auto half = entries<Matrix<Scalar, 3>>(
+        [&](int i, int j) { return Scalar(0.5) * row_by_row(p_cc, i, c, j); });
+    const auto cross =
+        entries<Matrix<Scalar, 3>>([&](int i, int j) { return result(3 + i, j) + half(i, j); });
+    add_lower(result.template topLeftCorner<3, 3>(), [&](int i, int j) {
+        return row_by_column(c, i, cross, j) + row_by_column(c, j, cross, i);
     });
-    each<3>([&](int j) { each<3>([&](int i) { cross(i, j) += half(i, j); }); });
-    each<3>([&](int j) {
-        each<3>([&](int i) {
-            if (i >= j)
-                result(i, j) += c(i, 0) * cross(0, j) + c(j, 0) * cross(0, i) +
-                                c(i, 1) * cross(1, j) + c(j, 1) * cross(1, i) +
-                                c(i, 2) * cross(2, j) + c(j, 2) * cross(2, i);
-        });
-    });
-    each<3>([&](int j) { each<3>([&](int i) { cross(i, j) += half(i, j); }); });
+    each<3>([&](int j) { each<3>([&](int i) { result(3 + i, j) = cross(i, j) + half(i, j); }); });
     return result;
 }
 
@@ -108,13 +99,8 @@ void add_input_noise(const Matrix<Scalar, Rows, Inputs>& b, const Matrix<Scalar,
                      Matrix<Scalar, N>& p) noexcept {
     const auto bg = entries<Matrix<Scalar, Rows, Inputs>>(
         [&](int i, int j) { return row_by_column(b, i, gamma, j); });
-    Matrix<Scalar, Rows> noise;
-    fill_lower(noise, [&](int i, int j) { return row_by_row(bg, j, b, i); });
-    each<Rows>([&](int j) {
-        each<Rows>([&](int i) {
-            if (i >= j) p(i, j) += noise(i, j);
-        });
-    });
+    add_lower(p.template topLeftCorner<Rows, Rows>(),
+              [&](int i, int j) { return row_by_row(bg, j, b, i); });
 }
 
 /// Writes the lower triangle into the upper one.

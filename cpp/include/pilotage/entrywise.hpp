@@ -9,13 +9,17 @@
 
 namespace pilotage {
 
-/// a b. Where the compiler sees a zero this is -0, which adds for nothing: the zeros of a Jacobian
-/// are free.
+/// Whether the compiler sees that a is zero.
+template <typename Scalar>
+[[nodiscard, gnu::always_inline]] inline bool known_zero(Scalar a) noexcept {
+    return __builtin_constant_p(a) && a == 0;
+}
+
+/// a b. A product that is known to be zero is -0, which adds for nothing: a Jacobian's zeros are
+/// free.
 template <typename Scalar>
 [[nodiscard, gnu::always_inline]] inline Scalar times(Scalar a, Scalar b) noexcept {
-    if ((__builtin_constant_p(a) && a == 0) || (__builtin_constant_p(b) && b == 0))
-        return Scalar(-0.0);
-    return a * b;
+    return known_zero(a) || known_zero(b) ? Scalar(-0.0) : a * b;
 }
 
 namespace detail {
@@ -89,6 +93,12 @@ template <typename M, typename Entry>
     detail::fill_lower(m, entry, std::make_integer_sequence<int, M::SizeAtCompileTime>{});
 }
 
+/// m(i, j) += entry(i, j) for i >= j
+template <typename M, typename Entry>
+[[gnu::always_inline]] inline void add_lower(M&& m, const Entry& entry) noexcept {
+    fill_lower(m, [&](int i, int j) { return m(i, j) + entry(i, j); });
+}
+
 /// m(i, j) = m(j, i) = entry(i, j) for i >= j
 template <typename M, typename Entry>
 [[gnu::always_inline]] inline void fill_symmetric(M& m, const Entry& entry) noexcept {
@@ -101,6 +111,12 @@ template <typename M, typename Entry>
     M m;
     fill(m, entry);
     return m;
+}
+
+/// A copy to pass on in memory, so that the original may stay in registers.
+template <typename M>
+[[nodiscard, gnu::always_inline]] inline M copy_of(const M& m) noexcept {
+    return entries<M>([&](int i, int j) { return m(i, j); });
 }
 
 /// The symmetric matrix of the given entries, which are asked for where i >= j.

@@ -21,15 +21,15 @@ namespace pilotage {
 /// The components that a sighting has: bit ComponentIndex is set.
 [[nodiscard]] inline int measured_components(const Sighting& sighting) noexcept {
     int bits = 0;
-    for (const ComponentIndex c : {kBearing, kElevation, kRange})
-        bits |= std::isnan(sighting.value[c]) ? 0 : 1 << c;
+    each<3>([&](int c) { bits |= std::isnan(sighting.value[c]) ? 0 : 1 << c; });
     return bits;
 }
 
 /// A report that says nothing yet but which sighting it is of.
 [[nodiscard]] inline SightingReport blank_report(const Sample& sample, Verdict verdict) noexcept {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    const int measured = measured_components(sample.payload.sighting);
+    int dof = 0;
+    each<3>([&](int c) { dof += std::isnan(sample.payload.sighting.value[c]) ? 0 : 1; });
     return {sample.utime,
             sample.seq,
             0,
@@ -37,7 +37,7 @@ namespace pilotage {
             sample.index,
             sample.source,
             verdict,
-            (measured & 1) + (measured >> 1 & 1) + (measured >> 2),
+            dof,
             {nan, nan, nan},
             {nan, nan, nan},
             nan,
@@ -55,9 +55,9 @@ template <typename Scalar>
                                  sensor.sigma_range_m};
     const double stated = sighting.sigma[component];
     const auto sigma = Scalar(std::isnan(stated) ? configured[component] : stated);
-    const Scalar per_m =
-        component == kRange ? Scalar(sensor.sigma_range_per_m) * predicted : Scalar(0);
-    return sigma * sigma + per_m * per_m;
+    if (component != kRange) return sigma * sigma;
+    const Scalar growth = Scalar(sensor.sigma_range_per_m) * predicted;
+    return sigma * sigma + growth * growth;
 }
 
 /// Fuses the given components as one vector.
@@ -79,17 +79,23 @@ void fuse_components(Ekf<Scalar, N>& filter, const Marker& marker, const Sightin
         report.limit = sensor.min_distance_m;
         return;
     }
+    const auto variances = entries<Vector<Scalar, M>>(
+        [&](int i, int) { return sensor_variance(sighting, which[i], sensor, h.value[i]); });
     // The survey's uncertainty reaches the measurement as the sensor's position does, with the
     // other sign.
     const Scalar survey_variance = Scalar(marker.sigma_m) * Scalar(marker.sigma_m);
-    const auto noise = symmetric<Matrix<Scalar, M>>([&](int i, int j) {
+    const auto noise = [&](int i, int j) {
         const Scalar survey = survey_variance * (h.jacobian(i, kX) * h.jacobian(j, kX) +
                                                  h.jacobian(i, kY) * h.jacobian(j, kY));
-        return i == j ? survey + sensor_variance(sighting, which[i], sensor, h.value[i]) : survey;
-    });
+        return i == j ? survey + variances[i] : survey;
+    };
     const auto z =
         entries<Vector<Scalar, M>>([&](int i, int) { return Scalar(sighting.value[which[i]]); });
-    const auto update = filter.correct(model.minus(z, h.value), h.jacobian, noise, policy);
+    const auto innovation = model.minus(z, h.value);
+    const auto update =
+        survey_variance > 0
+            ? filter.correct(innovation, h.jacobian, symmetric<Matrix<Scalar, M>>(noise), policy)
+            : filter.correct_independent(innovation, h.jacobian, variances, policy);
     each<M>([&](int i) {
         report.innovation[which[i]] = double(update.innovation[i]);
         report.sigma[which[i]] = std::sqrt(double(update.s(i, i)));
@@ -123,7 +129,9 @@ template <typename Scalar, int N>
     if (marker == nullptr) return report;
     const Bearing<Scalar> bearing{};
     const Elevation<Scalar> elevation{};
-    const Range<Scalar> range{Scalar(sensor.range_scale), Scalar(sensor.range_offset_m)};
+    const auto range = [&]() -> Range<Scalar> {
+        return {Scalar(sensor.range_scale), Scalar(sensor.range_offset_m)};
+    };
     const auto fuse = [&](const auto&... components) {
         fuse_components(filter, *marker, sighting, sensor, policy, report, components...);
     };
@@ -135,19 +143,19 @@ template <typename Scalar, int N>
             fuse(elevation);
             break;
         case 0b100:
-            fuse(range);
+            fuse(range());
             break;
         case 0b011:
             fuse(bearing, elevation);
             break;
         case 0b101:
-            fuse(bearing, range);
+            fuse(bearing, range());
             break;
         case 0b110:
-            fuse(elevation, range);
+            fuse(elevation, range());
             break;
         case 0b111:
-            fuse(bearing, elevation, range);
+            fuse(bearing, elevation, range());
             break;
         default:
             report.verdict = Verdict::bad_value;

@@ -25,10 +25,13 @@ class MarkerMap {
     explicit MarkerMap(std::vector<Marker> markers) : markers_(std::move(markers)) {
         std::sort(markers_.begin(), markers_.end(),
                   [](const Marker& a, const Marker& b) { return a.id < b.id; });
+        if (!markers_.empty()) first_id_ = markers_.front().id;
+        while (in_row_ < markers_.size() && place_of(markers_[in_row_].id) == in_row_) ++in_row_;
     }
 
     /// The marker, or nullptr.
     [[nodiscard]] const Marker* find(std::int32_t id) const noexcept {
+        if (place_of(id) < in_row_) return &markers_[place_of(id)];
         const auto at =
             std::lower_bound(markers_.begin(), markers_.end(), id,
                              [](const Marker& m, std::int32_t key) { return m.id < key; });
@@ -38,7 +41,14 @@ class MarkerMap {
     [[nodiscard]] const std::vector<Marker>& markers() const noexcept { return markers_; }
 
    private:
+    /// If ids count up by one, as they mostly do.
+    [[nodiscard]] std::uint64_t place_of(std::int32_t id) const noexcept {
+        return static_cast<std::uint64_t>(id - first_id_);
+    }
+
     std::vector<Marker> markers_;
+    std::int64_t first_id_ = 0;
+    std::uint64_t in_row_ = 0;  // so many markers at the front are at the place of their id
 };
 
 }  // namespace pilotage

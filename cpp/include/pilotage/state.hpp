@@ -33,6 +33,13 @@ enum StateIndex : int {
 inline constexpr int kPoseStates = 3;
 inline constexpr int kCalibratedStates = 6;
 
+/// The covariance of independent components, given their variances.
+template <typename Scalar, int N>
+[[nodiscard]] Matrix<Scalar, N> diagonal(const Vector<Scalar, N>& variances) noexcept {
+    return symmetric<Matrix<Scalar, N>>(
+        [&](int i, int j) { return i == j ? variances[i] : Scalar(0); });
+}
+
 /// x + dx.
 template <typename Scalar, int N>
 [[nodiscard]] Vector<Scalar, N> plus(const Vector<Scalar, N>& x,

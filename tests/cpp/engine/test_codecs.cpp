@@ -100,7 +100,7 @@ TEST(CodecTest, MakesSamplesOfMessages) {
 TEST(CodecTest, TakesTheLowerTriangleOfAResetsCovariance) {
     pose_reset_t message = reset(0, 1, 2, 3);
     for (int i = 0; i < 9; ++i) message.covariance[i] = i;
-    const PoseReset& taken = decoded(bytes_of(message)).samples.at(0).payload.reset;
+    const PoseReset taken = decoded(bytes_of(message)).samples.at(0).payload.reset;
     const double expected[] = {0, 3, 4, 6, 7, 8};
     for (int i = 0; i < 6; ++i) EXPECT_EQ(taken.covariance[i], expected[i]);
     for (int i = 0; i < 3; ++i) EXPECT_EQ(taken.pose[i], i + 1);

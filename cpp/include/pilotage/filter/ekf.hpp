@@ -8,7 +8,7 @@
 /// model has `kStates`, the number of leading states that it sees, `linearize(x)` returning {value,
 /// h, defined}, and `minus(z, value)`.
 
-#include <cmath>
+#include <limits>
 
 #include "pilotage/congruence.hpp"
 #include "pilotage/filter/ldlt.hpp"
@@ -77,30 +77,39 @@ class Ekf {
                                                      const Policy& policy) noexcept {
         UpdateReport<Scalar, M> report;
         fill(report.innovation, [&](int i, int) { return innovation[i]; });
+        const auto prior = [&](int i, int j) { return i >= j ? p_(i, j) : p_(j, i); };
         const auto ph =
-            entries<Matrix<Scalar, N, M>>([&](int i, int j) { return row_by_row(p_, i, h, j); });
+            entries<Matrix<Scalar, N, M>>([&](int i, int j) { return row_by_row(prior, i, h, j); });
         const auto hph =
             symmetric<Matrix<Scalar, M>>([&](int i, int j) { return row_by_column(h, i, ph, j); });
         fill_symmetric(report.s, [&](int i, int j) { return hph(i, j) + r(i, j); });
         const Ldlt<Scalar, M> s(report.s);
         report.nis = s.squared_norm(innovation);
-        bool noisy = true;  // every component
-        each<M>([&](int i) { noisy = noisy && r(i, i) > 0; });
-        if (!noisy || !s.positive() || !std::isfinite(report.nis)) {
+        const bool plain = policy.fusion == Fusion::plain;
+        if (!s.positive() || !(report.nis <= std::numeric_limits<Scalar>::max())) {
             report.fault = UpdateFault::numeric;
-        } else if (policy.gated(report.nis, M)) {
+        } else if (!plain && policy.gated(report.nis, M)) {
             report.fault = UpdateFault::gated;
         } else {
-            report.weight = policy.weight(report.nis, M);
-            const bool committed = report.weight < 1
-                                       ? commit_weighted(innovation, h, r, report.weight, ph, hph)
-                                       : commit(innovation, h, r, ph, s);
+            report.weight = plain ? Scalar(1) : policy.weight(report.nis, M);
+            const bool committed =
+                report.weight < 1 ? commit_weighted(copy_of(innovation), copy_of(h), copy_of(r),
+                                                    report.weight, copy_of(ph), copy_of(hph))
+                                  : commit(innovation, h, r, ph, s);
             if (!committed) {
                 report.fault = UpdateFault::numeric;
                 report.weight = 0;
             }
         }
         return report;
+    }
+
+    /// The same for independent components, given their variances.
+    template <int M, int Seen>
+    [[gnu::flatten]] UpdateReport<Scalar, M> correct_independent(
+        const Vector<Scalar, M>& innovation, const Matrix<Scalar, M, Seen>& h,
+        const Vector<Scalar, M>& variances, const Policy& policy) noexcept {
+        return correct(innovation, h, diagonal(variances), policy);
     }
 
    private:
@@ -135,11 +144,13 @@ class Ekf {
             [&](int i, int j) { return row_by_column(k, i, r, j) - row_by_row(m1, i, h, j); });
         const auto p = symmetric<Covariance>(
             [&](int i, int j) { return m1(i, j) + row_by_row(k, i, rest, j); });
+        const auto variances = entries<State>([&](int i, int) { return p_(i, i); });
+        if (!Ldlt<Scalar, N>(p, kPivotTolerance, variances).semidefinite() ||
+            !Ldlt<Scalar, M>(r).positive())
+            return false;
+        // Finite without a check: (K innovation)_i^2 <= P_ii NIS.
         const State x = plus(
             x_, entries<State>([&](int i, int) { return row_by_column(k, i, innovation, 0); }));
-        const bool finite = std::isfinite(x.sum());
-        const auto before = entries<State>([&](int i, int) { return p_(i, i); });
-        if (!finite || !Ldlt<Scalar, N>(p, kPivotTolerance, before).semidefinite()) return false;
         fill(x_, [&](int i, int) { return x[i]; });
         fill(p_, [&](int i, int j) { return p(i, j); });
         return true;

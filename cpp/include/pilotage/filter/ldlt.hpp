@@ -31,9 +31,9 @@ class Ldlt {
                 semidefinite_ && (positive || (pivot >= -slack && std::isfinite(slack)));
             each<M>([&](int j) {
                 if (j <= k) return;
-                lower_(j, k) = rest(j, k) * inverse_[k];
+                lower_(j, k) = known_zero(rest(j, k)) ? Scalar(0) : rest(j, k) * inverse_[k];
                 each<M>([&](int i) {
-                    if (i >= j) rest(i, j) -= lower_(j, k) * rest(i, k);
+                    if (i >= j && !known_zero(rest(j, k))) rest(i, j) -= lower_(j, k) * rest(i, k);
                 });
             });
         });
