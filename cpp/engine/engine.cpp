@@ -181,7 +181,10 @@ void Engine::tick(std::int64_t now, std::int64_t drops) {
     message.state = static_cast<std::int8_t>(e.status);
     message.reason = waiting_for();
     message.since = since_;
+    message.motion = "driving";
     message.resets = e.resets;
+    message.reset_seq = -1;
+    message.checkpoint_age_s = NAN;
     message.drops = drops;
     message.version = PILOTAGE_VERSION;
     message.n_inputs = static_cast<std::int32_t>(inputs_.size());

@@ -71,6 +71,7 @@ std::int64_t Input::samples() const noexcept {
 
 input_status_t Input::status(std::int64_t now) const {
     input_status_t s;
+    s.name = name_;
     s.channel = params_.channel;
     s.rate_hz = interval_s_ >= 1e-6 ? 1 / interval_s_ : NAN;
     s.age_s = seen_ ? seconds_from(last_received_, now) : NAN;
@@ -78,7 +79,11 @@ input_status_t Input::status(std::int64_t now) const {
     s.fused = count(Verdict::fused);
     s.pending = count(Verdict::pending);
     s.lost = lost_;
+    s.repeated = 0;
     s.clock_offset_us = clock_.offset_us();
+    s.clock_skew_ppm = NAN;
+    s.clock_steps = 0;
+    s.noise_scale = 1;
     const auto add = [&](const char* reason, std::int64_t count) {
         if (count == 0) return;
         reason_count_t entry;
