@@ -27,7 +27,6 @@ def connect(url: str | None = None) -> Any:
     try:
         return lcm.LCM(resolved(url))
     except RuntimeError as error:
-        advice = "is it a URL like that?" if multicast.available() else multicast.ADVICE
-        raise RuntimeError(
-            f"LCM cannot use {resolved(url)} (usual: {DEFAULT_URL}): {advice}"
-        ) from error
+        usual = f"is it a URL like {DEFAULT_URL}?"
+        advice = usual if multicast.available() else multicast.ADVICE
+        raise RuntimeError(f"LCM cannot use {resolved(url)}: {advice}") from error
