@@ -10,16 +10,17 @@ MOTION_HZ = 200.0
 
 
 def window_shorter_than_a_latency(config: Config) -> Iterator[Finding]:
-    """Find sensors whose sightings are all late."""
+    """Find inputs whose samples are all late."""
     window = config["history.window_s"]
     motion = config[f"{config['motion.source']}.latency_s"]
-    for name in config.sensors:
-        behind = config[f"sensors.{name}.latency_s"] - motion
+    gyro = [] if config["motion.heading"] == "wheels" else ["gyro"]
+    for name in (*gyro, *(f"sensors.{sensor}" for sensor in config.sensors)):
+        behind = config[f"{name}.latency_s"] - motion
         if behind >= window:
             yield Finding(
-                f"sensors.{name}.latency_s",
+                f"{name}.latency_s",
                 f"{behind:g} s behind the motion, but history.window_s is {window:g}: "
-                f"every sighting is late",
+                f"every sample is late",
                 f"set history.window_s to {2.0 * behind:g}, or is the latency in milliseconds?",
             )
 

@@ -96,6 +96,12 @@ FINDINGS: dict[str, tuple[Callable, Config, str, list[str]]] = {
         "sensors.camera.latency_s",
         ["2.1 s", "window_s is 2"],
     ),
+    "latency of the gyro": (
+        timing.window_shorter_than_a_latency,
+        sound(gyro__latency_s=5),
+        "gyro.latency_s",
+        ["5 s", "window_s is 2"],
+    ),
     "capacity": (
         timing.history_too_small,
         sound(history__window_s=6),
