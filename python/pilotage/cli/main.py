@@ -4,7 +4,7 @@ import sys
 
 import typer
 
-from . import config, convert, demo, evaluate, plot, replay, simulate, study
+from . import check, config, convert, demo, evaluate, plot, replay, simulate, status, study
 
 app = typer.Typer(
     help="Localizes ground robots on surveyed markers, with dead reckoning in between.",
@@ -34,6 +34,8 @@ for command in (
     evaluate.evaluate,
     plot.plot,
     config.config,
+    check.check,
+    status.status,
 ):
     app.command()(command)
 app.add_typer(study.app, name="study")
