@@ -7,7 +7,9 @@ import typer
 
 
 def simulate(
-    scenario: Annotated[str, typer.Argument(help="mower-spiral, circle-four-poles, figure-eight")],
+    scenario: Annotated[
+        str, typer.Argument(help="mower-spiral, circle-four-poles, figure-eight, yard")
+    ],
     output: Annotated[
         Path | None,
         typer.Option("--output", "-o", help="LCM log; the configuration goes beside it."),
@@ -23,7 +25,9 @@ def simulate(
     slip: Annotated[
         float, typer.Option(help="Part of the wheels' travel that moves nothing.")
     ] = 0.0,
-    latency: Annotated[float, typer.Option(help="Seconds from a frame to its arrival.")] = 0.0,
+    latency: Annotated[
+        float | None, typer.Option(help="Seconds from a frame to its arrival.")
+    ] = None,
     seed: Annotated[int, typer.Option(help="Of all chance.")] = 1,
 ) -> None:
     """Simulate a drive past markers, into an LCM log or live over LCM.
@@ -50,6 +54,7 @@ def simulate(
     if output is not None and output.suffix == ".yaml":
         raise ValueError(f"{output} is for the configuration: give the log another name")
     duration = SCENARIOS[scenario].duration_s if duration is None else duration
+    latency = SCENARIOS[scenario].latency_s if latency is None else latency
     for name, value, low, high in (
         ("duration", duration, 1.0, 1e5),
         ("noise", noise, 0.0, 100.0),

@@ -4,7 +4,19 @@ The truth is stepped by the core's motion model and seen through the core's meas
 chance comes from the generator that is passed in.
 """
 
-from .scenario import SCENARIOS, Scenario, Simulation, simulate
+from .scenario import SCENARIOS, Measured, Scenario, Simulation, measure, simulate
 from .sensors import Camera, Encoders, Gyro
+from .streams import Stream
 
-__all__ = ["SCENARIOS", "Camera", "Encoders", "Gyro", "Scenario", "Simulation", "simulate"]
+__all__ = [
+    "SCENARIOS",
+    "Camera",
+    "Encoders",
+    "Gyro",
+    "Measured",
+    "Scenario",
+    "Simulation",
+    "Stream",
+    "measure",
+    "simulate",
+]

@@ -11,6 +11,7 @@ from ..evaluate import TRAJECTORY
 from . import drives, worlds
 from .drives import Drive
 from .sensors import Camera, Encoders, Gyro
+from .streams import Stream
 
 EXACT_M_PER_TICK = 1e-12
 """Ticks so fine that they quantise nothing, in a simulation without noise."""
@@ -31,6 +32,8 @@ class Scenario:
     cameras: tuple[Camera, ...] = ()
     latency_s: float = 0.0
     """From a frame's capture to its arrival; its stamp tells the capture."""
+    jitter_s: float = 0.0
+    """Mean of what every message's way takes besides, exponentially distributed."""
 
     def with_noise(self, factor: float) -> "Scenario":
         """Return the same with every noise times a factor; 0 also ends the ticks' quantisation."""
@@ -48,6 +51,7 @@ class Scenario:
                 walk_rad_s_per_sqrt_s=factor * gyro.walk_rad_s_per_sqrt_s,
             ),
             cameras=tuple(replace(c, sigma=_scaled(c.sigma, factor)) for c in self.cameras),
+            jitter_s=factor * self.jitter_s,
         )
 
 
@@ -116,31 +120,106 @@ SCENARIOS = {
                 ),
             ),
         ),
+        Scenario(
+            "yard",
+            lambda _: worlds.yard(),
+            drives.rounds,
+            duration_s=90.0,
+            encoders=Encoders(track_width_m=0.5, m_per_tick=SMALL_ROBOT_M_PER_TICK),
+            gyro=Gyro(noise_rad_per_sqrt_s=5e-4, walk_rad_s_per_sqrt_s=2e-5),
+            cameras=(
+                Camera(
+                    "scanner",
+                    components=("bearing", "range"),
+                    mounting=(0.2, 0.0, 0.4, 0.0),
+                    sigma=(0.01, 0.0, 0.05),
+                    rate_hz=10.0,
+                    reach_m=8.0,
+                    half_view_rad=1.5,
+                ),
+            ),
+            latency_s=0.03,
+            jitter_s=0.001,
+        ),
     )
 }
 
 
-def simulate(scenario: Scenario, rng: np.random.Generator) -> Simulation:
-    """Drive, measure and record; all chance comes from `rng`."""
+@dataclass(frozen=True)
+class Measured:
+    """What the robot's sensors sent on a drive, before it is encoded.
+
+    Attributes
+    ----------
+    sightings : Stream by the sensor's name
+    """
+
+    drive: Drive
+    markers: MarkerMap
+    encoders: Stream
+    gyro: Stream
+    sightings: dict[str, Stream]
+
+    def record(self) -> Recording:
+        """Encode everything, in order of arrival."""
+        recording = Recording()
+        gyro, encoders = self.gyro, self.encoders
+        recording.add_gyro("GYRO", gyro.utime, gyro.value[:, 0], gyro.received, gyro.seq)
+        left, right = _ticks(encoders.value).T
+        recording.add_encoders(
+            "ENCODERS", encoders.utime, left, right, encoders.received, encoders.seq
+        )
+        for sensor, seen in self.sightings.items():
+            bearing, elevation, slant = seen.value.T
+            recording.add_sightings(
+                "MARKERS",
+                sensor,
+                seen.utime,
+                seen.id,
+                bearing,
+                elevation,
+                slant,
+                seen.received,
+                seen.seq,
+            )
+        recording.add_reference("REFERENCE", self.drive.utime, *self.drive.pose.T)
+        recording.sort()
+        return recording
+
+    def truth(self) -> NDArray[np.void]:
+        """Return the true trajectory, rows of `evaluate.TRAJECTORY`."""
+        truth = np.empty(len(self.drive.utime), TRAJECTORY)
+        truth["utime"] = self.drive.utime
+        for name, column in zip(("x", "y", "heading"), self.drive.pose.T, strict=True):
+            truth[name] = column
+        return truth
+
+
+def measure(scenario: Scenario, rng: np.random.Generator) -> Measured:
+    """Drive and measure; all chance comes from `rng`."""
     markers = scenario.site(rng)
     drive = scenario.drive(scenario.duration_s)
-    recording = Recording()
-    recording.add_gyro("GYRO", drive.utime, scenario.gyro.rates(drive, rng))
-    recording.add_encoders("ENCODERS", drive.utime, *scenario.encoders.ticks(drive, rng).T)
+    rates = Stream.sent(drive.utime, scenario.gyro.rates(drive, rng)[:, None])
+    ticks = Stream.sent(drive.utime, scenario.encoders.ticks(drive, rng).astype(np.float64))
+    sightings = {}
     for camera in scenario.cameras:
         utime, marker, value = camera.sightings(drive, markers, rng)
-        received = utime + round(scenario.latency_s * 1e6)
-        bearing, elevation, slant = value.T
-        recording.add_sightings(
-            "MARKERS", camera.name, utime, marker, bearing, elevation, slant, received=received
-        )
-    recording.add_reference("REFERENCE", drive.utime, *drive.pose.T)
-    recording.sort()
-    truth = np.empty(len(drive.utime), TRAJECTORY)
-    truth["utime"] = drive.utime
-    for name, column in zip(("x", "y", "heading"), drive.pose.T, strict=True):
-        truth[name] = column
-    return Simulation(recording, truth, suitable_config(scenario, markers, drive))
+        seen = Stream.sent(utime, value, marker)
+        sightings[camera.name] = seen.late(scenario.latency_s, scenario.jitter_s, rng)
+    return Measured(
+        drive,
+        markers,
+        encoders=ticks.late(0.0, scenario.jitter_s, rng),
+        gyro=rates.late(0.0, scenario.jitter_s, rng),
+        sightings=sightings,
+    )
+
+
+def simulate(scenario: Scenario, rng: np.random.Generator) -> Simulation:
+    """Drive, measure and record; all chance comes from `rng`."""
+    measured = measure(scenario, rng)
+    config = suitable_config(scenario, measured.markers, measured.drive)
+    return Simulation(measured.record(), measured.truth(), config)
 
 
 def suitable_config(scenario: Scenario, markers: MarkerMap, drive: Drive) -> Config:
@@ -173,6 +252,13 @@ def suitable_config(scenario: Scenario, markers: MarkerMap, drive: Drive) -> Con
     for key, number in values.items():
         config[key] = number
     return config
+
+
+def _ticks(value: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Whole ticks; not a number becomes what a cast in C makes of it on most machines."""
+    missing = np.isnan(value)
+    ticks = np.rint(np.where(missing, 0.0, value)).astype(np.int64)
+    return np.where(missing, np.iinfo(np.int64).min, ticks)
 
 
 def _scaled(sigma: tuple[float, float, float], factor: float) -> tuple[float, float, float]:
