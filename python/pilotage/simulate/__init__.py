@@ -4,19 +4,24 @@ The truth is stepped by the core's motion model and seen through the core's meas
 chance comes from the generator that is passed in.
 """
 
-from .scenario import SCENARIOS, Measured, Scenario, Simulation, measure, simulate
+from .cells import Campaign, Cell, Window
+from .scenario import SCENARIOS, Measured, Scenario, Simulation, measure, simulate, suitable_config
 from .sensors import Camera, Encoders, Gyro
 from .streams import Stream
 
 __all__ = [
     "SCENARIOS",
     "Camera",
+    "Campaign",
+    "Cell",
     "Encoders",
     "Gyro",
     "Measured",
     "Scenario",
     "Simulation",
     "Stream",
+    "Window",
     "measure",
     "simulate",
+    "suitable_config",
 ]
