@@ -24,8 +24,8 @@ def faults(
 
     Example: pilotage faults yard --runs 20 --only gyro -o out
     """
-    from ..fault_report import FaultReport
-    from ..fault_table import aligned, bar_table, cell_table
+    from ..campaign import FaultReport
+    from ..campaign.table import aligned, bar_table, cell_table
     from .console import progress_bar
 
     if jobs < 1 and jobs != -1:

@@ -5,7 +5,8 @@ chance comes from the generator that is passed in.
 """
 
 from .cells import Campaign, Cell, Window
-from .scenario import SCENARIOS, Measured, Scenario, Simulation, measure, simulate, suitable_config
+from .measuring import Measured, Simulation, measure, simulate, suitable_config
+from .scenario import SCENARIOS, Scenario
 from .sensors import Camera, Encoders, Gyro
 from .streams import Stream
 

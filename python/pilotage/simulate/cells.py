@@ -12,7 +12,7 @@ import yaml
 from ..evaluate import Required
 from . import faults, marker_faults
 from .faults import Fault, Strike
-from .scenario import Measured
+from .measuring import Measured
 from .sensors import Camera
 from .streams import Stream
 

@@ -93,7 +93,7 @@ def slow(stream: Stream, strike: Strike, one_of: int) -> Stream:
 
 def intermittent(stream: Stream, strike: Strike, off_s: float, on_s: float) -> Stream:
     """Silent and sending by turns."""
-    since_s = _since(stream, strike) + strike.rng.uniform(0.0, off_s + on_s)
+    since_s = _since_us(stream, strike) * 1e-6 + strike.rng.uniform(0.0, off_s + on_s)
     return stream.rows(~strike.hit | (since_s % (off_s + on_s) >= off_s))
 
 
@@ -113,8 +113,9 @@ def out_of_order(stream: Stream, strike: Strike, delay_s: float) -> Stream:
 
 def burst(stream: Stream, strike: Strike, hold_s: float) -> Stream:
     """Messages are held back, and those of `hold_s` seconds arrive at once."""
-    wait_s = hold_s - np.mod(_since(stream, strike), hold_s)
-    return _arriving(stream, strike.hit * wait_s).in_order()
+    hold_us = round(hold_s * 1e6)
+    wait_us = hold_us - _since_us(stream, strike) % hold_us
+    return _arriving(stream, strike.hit * wait_us * 1e-6).in_order()
 
 
 def duplicate(stream: Stream, strike: Strike, copies: int, apart_s: float) -> Stream:
@@ -133,7 +134,7 @@ def restamped(stream: Stream, strike: Strike, ahead_s: float) -> Stream:
 
 def drifting(stream: Stream, strike: Strike, ppm: float) -> Stream:
     """The sender's clock runs fast, and is set right at the end."""
-    return _stamped(stream, strike.hit * _since(stream, strike) * ppm * 1e-6)
+    return _stamped(stream, strike.hit * _since_us(stream, strike) * 1e-6 * ppm * 1e-6)
 
 
 def joined(*streams: Stream) -> Stream:
@@ -150,10 +151,9 @@ def _with_values(stream: Stream, strike: Strike, value: NDArray[np.float64]) -> 
     return replace(stream, value=np.where(struck, value, stream.value))
 
 
-def _since(stream: Stream, strike: Strike) -> NDArray[np.float64]:
-    """(n,) seconds since the fault's first row."""
-    first = int(np.argmax(strike.hit))
-    return np.asarray((stream.utime - stream.utime[first]) * 1e-6)
+def _since_us(stream: Stream, strike: Strike) -> NDArray[np.int64]:
+    """(n,) µs since the fault's first row."""
+    return np.asarray(stream.utime - stream.utime[int(np.argmax(strike.hit))])
 
 
 def _arriving(stream: Stream, later_s: NDArray[np.floating[Any]]) -> Stream:

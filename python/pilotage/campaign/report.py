@@ -6,11 +6,11 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from .campaign import Task, run_tasks
-from .evaluate import CellFigures
-from .evaluate.figures import AGAIN_S, MOST
-from .simulate import SCENARIOS, Campaign, Cell
-from .simulate.cells import NO_FAULT
+from ..evaluate import CellFigures
+from ..evaluate.figures import AGAIN_S, MOST
+from ..simulate import SCENARIOS, Campaign, Cell
+from ..simulate.cells import NO_FAULT
+from .running import Task, run_tasks
 
 SAMPLE = 20
 """Runs, at most, of each size on a ladder and of each time policy."""
@@ -145,7 +145,7 @@ class FaultReport:
 
     def save(self, folder: Path) -> None:
         """Write `faults.json` and the page `faults.md`."""
-        from .fault_page import page
+        from .page import page
 
         folder.mkdir(parents=True, exist_ok=True)
         text = json.dumps(self.to_dict(), indent=1, allow_nan=False)

@@ -3,12 +3,12 @@
 from collections.abc import Iterator
 from textwrap import fill
 
-from .evaluate.figures import AGAIN_S, MOST, SILENT_SHARE
-from .evaluate.honesty import BEYOND_DEG, BEYOND_M, BEYOND_SIGMA
-from .evaluate.outcome import SILENT_S
-from .fault_report import FaultReport
-from .fault_table import MEANING, Table, bar_table, cell_table, ladder_table, policy_table
-from .simulate import Cell
+from ..evaluate.figures import AGAIN_S, MOST, SILENT_SHARE
+from ..evaluate.honesty import BEYOND_DEG, BEYOND_M, BEYOND_SIGMA
+from ..evaluate.outcome import SILENT_S
+from ..simulate import Cell
+from .report import FaultReport
+from .table import MEANING, Table, bar_table, cell_table, ladder_table, policy_table
 
 WIDTH = 110
 SOURCE = "../python/pilotage/simulate/faults.yaml"
@@ -50,8 +50,8 @@ def _parts(report: FaultReport) -> Iterator[str]:
     yield "## What nobody sees\n"
     yield _text(
         "Small enough, a fault hides in the noise, and does little harm. The same faults in "
-        "growing sizes: the smallest from which on most runs notice (they name the input, or do not say "
-        "OK), and what the largest does that goes unnoticed."
+        "growing sizes: the smallest from which on most runs notice (they name the input, or do "
+        "not say OK), and what the largest does that goes unnoticed."
     )
     yield _markdown(ladder_table(report))
     yield "## Which clock\n"

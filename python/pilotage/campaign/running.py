@@ -9,9 +9,9 @@ import numpy as np
 from joblib import Parallel, delayed, parallel_config
 from numpy.typing import NDArray
 
-from . import Recording, lcmtypes, replay
-from .evaluate import CellFigures, Outcome, Timeline
-from .simulate import SCENARIOS, Cell, Scenario, Window, measure, suitable_config
+from .. import Recording, lcmtypes, replay
+from ..evaluate import CellFigures, Outcome, Timeline
+from ..simulate import SCENARIOS, Cell, Scenario, Window, measure, suitable_config
 
 TICK_US = 1_000_000
 """Between the node's statuses."""

@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 
-from .evaluate import CellFigures, Required
-from .evaluate.figures import AGAIN_S, MOST, OK_SHARE, SILENT_SHARE
-from .fault_report import FaultReport, Ladder
-from .simulate import Cell
-from .simulate.cells import NO_FAULT
+from ..evaluate import CellFigures, Required
+from ..evaluate.figures import AGAIN_S, MOST, OK_SHARE, SILENT_SHARE
+from ..simulate import Cell
+from ..simulate.cells import NO_FAULT
+from .report import FaultReport, Ladder
 
 Table = list[list[str]]
 """Rows of text; the first is the head."""
