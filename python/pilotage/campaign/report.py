@@ -78,11 +78,8 @@ class FaultReport:
         few = min(runs, SAMPLE)
         cells = [c for c in campaign.cells if only in c.name]
         if not cells:
-            inputs = ", ".join(dict.fromkeys(c.stream for c in campaign.cells))
-            faults = ", ".join(dict.fromkeys(c.fault for c in campaign.cells))
             raise ValueError(
-                f"no cell has '{only}' in its name, which is an input and a fault; inputs are "
-                f"{inputs}; faults are {faults}"
+                f"no cell has '{only}' in its name, an input and a fault: {campaign.words()}"
             )
         timely = [c for c in campaign.timely if only in c.name]
         ladders = [ladder for ladder in campaign.ladders if only in ladder[0].name]

@@ -7,6 +7,7 @@ from zlib import crc32
 
 import numpy as np
 from joblib import Parallel, delayed, parallel_config
+from joblib.externals.loky.process_executor import TerminatedWorkerError
 from numpy.typing import NDArray
 
 from .. import Recording, lcmtypes, replay
@@ -28,7 +29,7 @@ class Said:
     at : (n,) int, µs
     ok : (n,) bool
     naming : (n,) bool
-        Whether one of the inputs asked for was named, as a problem or as the reason.
+        Whether one of the inputs asked for had a problem, or the reason spoke of it.
     """
 
     at: NDArray[np.int64]
@@ -41,8 +42,11 @@ class Said:
         kind = lcmtypes.status_t
         said = [kind.decode(data) for data in published.messages(channel)]
         naming = [
-            any(i.problem for i in s.inputs if i.name in inputs)
-            or any(name in s.reason for name in inputs)
+            any(
+                i.problem or i.name in s.reason or i.channel in s.reason
+                for i in s.inputs
+                if i.name in inputs
+            )
             for s in said
         ]
         return cls(
@@ -80,14 +84,22 @@ def run_tasks(
         for first in range(0, task.runs, CHUNK)
     ]
     outcomes: list[Outcome | str] = []
+    count = 0
     with parallel_config(backend="loky", inner_max_num_threads=1):
         done = Parallel(n_jobs=jobs, return_as="generator")(
             delayed(_run_chunk)(scenario, task, window, seed, runs) for task, runs in chunks
         )
-        for count, chunk in enumerate(done, start=1):
-            outcomes += chunk
-            if progress is not None:
-                progress(count / len(chunks))
+        try:
+            for count, chunk in enumerate(done, start=1):
+                outcomes += chunk
+                if progress is not None:
+                    progress(count / len(chunks))
+        except TerminatedWorkerError as error:
+            last = chunks[min(count, len(chunks) - 1)][0].cell.name
+            raise RuntimeError(
+                f"a process died, at or soon after '{last}': pilotage faults --jobs 1 --only "
+                f"'{last}' shows whether it is that"
+            ) from error
     rest = iter(outcomes)
     return [CellFigures.of(list(islice(rest, t.runs)), t.cell.required) for t in tasks]
 

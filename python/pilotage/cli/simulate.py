@@ -28,6 +28,10 @@ def simulate(
     latency: Annotated[
         float | None, typer.Option(help="Seconds from a frame to its arrival.")
     ] = None,
+    fault: Annotated[
+        str | None,
+        typer.Option(help="What fails for a while, a cell of `pilotage faults`: 'gyro stuck'."),
+    ] = None,
     seed: Annotated[int, typer.Option(help="Of all chance.")] = 1,
 ) -> None:
     """Simulate a drive past markers, into an LCM log or live over LCM.
@@ -43,7 +47,7 @@ def simulate(
 
     import numpy as np
 
-    from ..simulate import SCENARIOS
+    from ..simulate import SCENARIOS, Campaign, Measured
     from ..simulate import simulate as run
     from .console import progress_bar
 
@@ -73,7 +77,15 @@ def simulate(
         gyro=replace(chosen.gyro, bias_rad_s=gyro_bias),
         latency_s=latency,
     )
-    simulation = run(chosen, np.random.default_rng(seed))
+    rng = np.random.default_rng(seed)
+
+    def spoiled(measured: Measured) -> Measured:
+        if fault is None:
+            return measured
+        campaign = Campaign.load()
+        return campaign.cell(fault).strike(measured, chosen.cameras, campaign.window, rng)
+
+    simulation = run(chosen, rng, spoiled)
     config = simulation.config.to_yaml()
     if output is not None:
         simulation.recording.save(str(output))

@@ -178,6 +178,18 @@ class Campaign:
         timely = [cell for cell in cells if cell.fault in policies["faults"]]
         return cls(Window(**content["window"]), cells, ladders, policies["time"], timely)
 
+    def cell(self, name: str) -> Cell:
+        """Return the cell of that name; a ValueError names the inputs and faults that there are."""
+        for cell in self.cells:
+            if cell.name == name:
+                return cell
+        raise ValueError(f"no fault '{name}'; say an input and a fault: {self.words()}")
+
+    def words(self) -> str:
+        """Return the inputs and the faults that names are made of."""
+        inputs = ", ".join(dict.fromkeys(cell.stream for cell in self.cells))
+        return f"{inputs}; {', '.join(dict.fromkeys(cell.fault for cell in self.cells))}"
+
 
 def _entries(by_stream: dict[str, dict[str, Any]]) -> Iterator[tuple[str, str, dict[str, Any]]]:
     for stream, by_fault in by_stream.items():

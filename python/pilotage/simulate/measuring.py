@@ -1,5 +1,6 @@
 """What a simulated robot measures and records, and a configuration that suits it."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -94,9 +95,15 @@ def measure(scenario: Scenario, rng: np.random.Generator) -> Measured:
     )
 
 
-def simulate(scenario: Scenario, rng: np.random.Generator) -> Simulation:
-    """Drive, measure and record; all chance comes from `rng`."""
+def simulate(
+    scenario: Scenario,
+    rng: np.random.Generator,
+    spoil: Callable[[Measured], Measured] | None = None,
+) -> Simulation:
+    """Drive, measure and record; all chance comes from `rng`. `spoil` may change what is sent."""
     measured = measure(scenario, rng)
+    if spoil is not None:
+        measured = spoil(measured)
     config = suitable_config(scenario, measured.markers, measured.drive)
     return Simulation(measured.record(), measured.truth(), config)
 

@@ -1,5 +1,7 @@
 """Runs of the campaign: the same for any number of processes."""
 
+import os
+import signal
 from dataclasses import replace
 
 import numpy as np
@@ -61,6 +63,17 @@ def test_a_crash_is_an_outcome(monkeypatch: pytest.MonkeyPatch):
     (figures,) = run_tasks("yard", [Task(NO_FAULT, 2)], CAMPAIGN.window)
     assert figures.crashes == 2
     assert "RuntimeError: boom" in figures.crash
+
+
+def _die(*_: object, **__: object) -> None:
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def test_a_process_that_dies_is_told_with_the_cell(monkeypatch: pytest.MonkeyPatch):
+    # Workers import the module anew, so what kills them is what they are given to do.
+    monkeypatch.setattr("pilotage.campaign.running._run_chunk", _die)
+    with pytest.raises(RuntimeError, match="a process died, at or soon after 'gyro off'"):
+        run_tasks("yard", [Task(CELLS["gyro off"], 20)], CAMPAIGN.window, jobs=2)
 
 
 @pytest.mark.parametrize(

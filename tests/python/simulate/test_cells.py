@@ -38,3 +38,11 @@ def test_an_unknown_fault_is_named(tmp_path: Path):
     file.write_text(FILE)
     with pytest.raises(ValueError, match="no fault 'gyro slw'; there are encoders off"):
         Campaign.load(file)
+
+
+def test_a_cell_is_found_by_its_name():
+    assert Campaign.load().cell("gyro stuck").stream == "gyro"
+    with pytest.raises(
+        ValueError, match=r"no fault 'gyro dead'; say .* encoders, gyro, markers; off"
+    ):
+        Campaign.load().cell("gyro dead")
