@@ -4,7 +4,7 @@ import sys
 
 import typer
 
-from . import check, config, convert, demo, evaluate, plot, replay, simulate, status, study
+from . import check, config, convert, demo, evaluate, faults, plot, replay, simulate, status, study
 
 app = typer.Typer(
     help="Localizes ground robots on surveyed markers, with dead reckoning in between.",
@@ -32,6 +32,7 @@ for command in (
     convert.convert,
     simulate.simulate,
     evaluate.evaluate,
+    faults.faults,
     plot.plot,
     config.config,
     check.check,

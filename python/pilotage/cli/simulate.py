@@ -10,7 +10,9 @@ PATIENCE_S = 60.0
 
 
 def simulate(
-    scenario: Annotated[str, typer.Argument(help="mower-spiral, circle-four-poles, figure-eight")],
+    scenario: Annotated[
+        str, typer.Argument(help="mower-spiral, circle-four-poles, figure-eight, yard")
+    ],
     output: Annotated[
         Path | None,
         typer.Option("--output", "-o", help="LCM log; the configuration goes beside it."),
@@ -29,7 +31,13 @@ def simulate(
     slip: Annotated[
         float, typer.Option(help="Part of the wheels' travel that moves nothing.")
     ] = 0.0,
-    latency: Annotated[float, typer.Option(help="Seconds from a frame to its arrival.")] = 0.0,
+    latency: Annotated[
+        float | None, typer.Option(help="Seconds from a frame to its arrival.")
+    ] = None,
+    fault: Annotated[
+        str | None,
+        typer.Option(help="What fails for a while, a cell of `pilotage faults`: 'gyro stuck'."),
+    ] = None,
     seed: Annotated[int, typer.Option(help="Of all chance.")] = 1,
 ) -> None:
     """Simulate a drive past markers, into an LCM log or live over LCM.
@@ -46,7 +54,7 @@ def simulate(
 
     import numpy as np
 
-    from ..simulate import SCENARIOS
+    from ..simulate import SCENARIOS, Campaign, Measured
     from ..simulate import simulate as run
     from .console import progress_bar
 
@@ -57,6 +65,7 @@ def simulate(
     if output is not None and output.suffix == ".yaml":
         raise ValueError(f"{output} is for the configuration: give the log another name")
     duration = SCENARIOS[scenario].duration_s if duration is None else duration
+    latency = SCENARIOS[scenario].latency_s if latency is None else latency
     for name, value, low, high in (
         ("duration", duration, 1.0, 1e5),
         ("noise", noise, 0.0, 100.0),
@@ -75,7 +84,15 @@ def simulate(
         gyro=replace(chosen.gyro, bias_rad_s=gyro_bias),
         latency_s=latency,
     )
-    simulation = run(chosen, np.random.default_rng(seed))
+    rng = np.random.default_rng(seed)
+
+    def spoiled(measured: Measured) -> Measured:
+        if fault is None:
+            return measured
+        campaign = Campaign.load()
+        return campaign.cell(fault).strike(measured, chosen.cameras, campaign.window, rng)
+
+    simulation = run(chosen, rng, spoiled)
     config = simulation.config.to_yaml()
     if output is not None:
         simulation.recording.save(str(output))
