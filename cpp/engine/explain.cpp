@@ -1,5 +1,7 @@
 #include "explain.hpp"
 
+#include <cmath>
+
 #include "words.hpp"
 
 namespace pilotage {
@@ -39,8 +41,8 @@ std::string explain(const Assessment& a) {
                          a.limit);
         case Reason::disagreement:
             return words(
-                "the sightings contradict the pose: mean NIS %.1f per degree of freedom, "
-                "limit %.1f",
+                "the sightings contradict the motion (mean NIS %.1f per degree of freedom, limit "
+                "%.1f): encoders, gyro or markers are wrong",
                 a.value, a.limit);
         case Reason::no_sighting:
             return words("no sighting that agrees for %.1f s, limit %.1f s", a.value, a.limit);
@@ -49,6 +51,18 @@ std::string explain(const Assessment& a) {
         case Reason::motion_gap:
             return words("no motion for %.1f s, limit %.1f s", a.value, a.limit);
     }
+    return "";
+}
+
+std::string explain(MotionState state, double disagreement_rad) {
+    if (state == MotionState::slipping)
+        return words("slipping: encoders and gyro disagree by %.2f rad in half a second",
+                     std::abs(disagreement_rad));
+    if (state == MotionState::lifted)
+        return words(
+            "lifted: the encoders stand still and the gyro turned by %.2f rad in half a "
+            "second",
+            std::abs(disagreement_rad));
     return "";
 }
 
