@@ -60,7 +60,7 @@ class MotionCheck {
         open_.heard = open_.heard && step.gyro_turn_rad;
         if (step.gyro_turn_rad) open_.gyro_turn_rad += *step.gyro_turn_rad;
         if (open_.duration_s < kWindow_s) return false;
-        judge(tolerance);
+        judge(tolerance, step.gyro_turn_rad.value_or(0));
         open_ = Sums{};
         return true;
     }
@@ -85,7 +85,9 @@ class MotionCheck {
         bool ticked = false, heard = true;
     };
 
-    void judge(const RotationTolerance& t) noexcept {
+    /// \param last_turn_rad by the gyro in the window's last step, which is believed if the robot
+    /// turns out not to stand
+    void judge(const RotationTolerance& t, double last_turn_rad) noexcept {
         const double time_s = open_.duration_s;
         const double variance = open_.wheel_variance + t.gyro_variance_per_s * time_s +
                                 t.gyro_bias_variance * time_s * time_s;
@@ -97,7 +99,7 @@ class MotionCheck {
                         (open_.gyro_turn_rad * open_.wheel_turn_rad < 0 ||
                          std::abs(open_.gyro_turn_rad) > std::abs(open_.wheel_turn_rad));
         if (state_ == MotionState::standing && !open_.ticked && !agree)
-            released_rad_ = open_.gyro_turn_rad;
+            released_rad_ = open_.gyro_turn_rad - last_turn_rad;
         become(open_.ticked ? (agree ? MotionState::driving : MotionState::slipping)
                             : (agree ? MotionState::standing : MotionState::lifted));
         window_.duration_s = time_s;
