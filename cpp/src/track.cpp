@@ -157,8 +157,9 @@ Increment<Scalar> Tracker<Scalar, N>::measure(Track& track, const Sample& motion
         if (params.heading != HeadingSource::wheels && !track.check.gyro_suspect())
             u = with_gyro(u, Scalar(*gyro_turn_rad), params.heading, params_.noise);
     }
+    const bool stood = track.check.state() == MotionState::standing;
     const bool ended = track.check.add(rotation, tolerance(track));
-    if (track.check.state() == MotionState::standing) u = standstill(u);
+    if (stood && track.check.state() == MotionState::standing) u = standstill(u);
     u.turn_rad += Scalar(track.check.released_rad());
     if (ended) doubt += judged_window(track);
     u.doubt = useful(track, doubt);
@@ -174,7 +175,7 @@ Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
     Pose<double> doubt = Pose<double>::Zero();
     switch (track.check.state()) {
         case MotionState::standing:
-            if (window.in_a_row > 1) learn_bias(track);  // the first window moved the heading
+            if (track.check.settled()) learn_bias(track);
             break;
         case MotionState::lifted:
             doubt = variances(kCarried_m_s * window.duration_s, 0) * growth(window.in_a_row);

@@ -48,7 +48,8 @@ class MotionCheck {
     bool add(const RotationStep& step, const RotationTolerance& tolerance) noexcept {
         released_rad_ = 0;
         if (step.ticked && (state_ == MotionState::standing || state_ == MotionState::lifted)) {
-            if (state_ == MotionState::standing) released_rad_ = open_.gyro_turn_rad;
+            if (state_ == MotionState::standing)
+                released_rad_ = disbelieved_rad_ + open_.gyro_turn_rad;
             become(MotionState::driving);
             open_ = Sums{};
         }
@@ -67,8 +68,12 @@ class MotionCheck {
 
     [[nodiscard]] MotionState state() const noexcept { return state_; }
     [[nodiscard]] const Window& window() const noexcept { return window_; }
-    /// What the gyro told since the last whole window of standstill, and was not believed then: the
-    /// robot has begun to move.
+    /// Whether it has stood for so long that it does not just creep from tick to tick.
+    [[nodiscard]] bool settled() const noexcept {
+        return state_ == MotionState::standing && window_.in_a_row > kSettling;
+    }
+    /// What the gyro told since the last whole window of standstill, or since it began where that
+    /// has not settled, and was not believed then: the robot moves.
     [[nodiscard]] double released_rad() const noexcept { return released_rad_; }
     /// While slipping: the gyro tells of a larger turn than the wheels, or of one the other way,
     /// which slip does not explain.
@@ -76,6 +81,7 @@ class MotionCheck {
 
    private:
     static constexpr double kWindow_s = 0.5;
+    static constexpr int kSettling = 4;  ///< windows without a tick; a creeping robot has none
     static constexpr double kSigmas = 4.5;
     static constexpr double kScaleError = 0.15;  ///< of the wheels' turn, which every skid has
 
@@ -98,10 +104,13 @@ class MotionCheck {
         gyro_suspect_ = !agree && open_.ticked &&
                         (open_.gyro_turn_rad * open_.wheel_turn_rad < 0 ||
                          std::abs(open_.gyro_turn_rad) > std::abs(open_.wheel_turn_rad));
+        const bool stands_on = state_ == MotionState::standing && !open_.ticked && agree;
         if (state_ == MotionState::standing && !open_.ticked && !agree)
             released_rad_ = open_.gyro_turn_rad - last_turn_rad;
         become(open_.ticked ? (agree ? MotionState::driving : MotionState::slipping)
                             : (agree ? MotionState::standing : MotionState::lifted));
+        disbelieved_rad_ =
+            stands_on && window_.in_a_row < kSettling ? disbelieved_rad_ + open_.gyro_turn_rad : 0;
         window_.duration_s = time_s;
         window_.distance_m = open_.distance_m;
         window_.gyro_turn_rad = open_.heard ? open_.gyro_turn_rad : 0;
@@ -116,7 +125,7 @@ class MotionCheck {
 
     MotionState state_ = MotionState::driving;
     bool gyro_suspect_ = false;
-    double released_rad_ = 0;
+    double released_rad_ = 0, disbelieved_rad_ = 0;
     Sums open_;
     Window window_;
 };
