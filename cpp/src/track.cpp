@@ -17,6 +17,7 @@ constexpr double kLeastSpeed_m_s = 0.5;   // without a measured speed
 constexpr double kLeastTurn_rad_s = 0.3;  // without a measured turn
 constexpr double kCarried_m_s = 1;        // whoever carries it walks
 constexpr double kCrooked = 0.3;          // of a distance driven unseen: how far off a plain arc
+constexpr int kLongSlip = 4;              // windows; then the gyro may be stuck as well
 constexpr double kMoved_m = 0.3;          // while it was switched off
 constexpr double kMoved_rad = 0.1;
 // Beyond these, more doubt tells nothing more.
@@ -183,8 +184,8 @@ Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
         case MotionState::slipping: {
             const double off_rad = std::abs(window.disagreement_rad);
             const double off_m = off_rad * (params_.wheels.track_width_m + window.distance_m) / 2;
-            const bool gyro_knows =
-                params_.motion.heading == HeadingSource::gyro && !track.check.gyro_suspect();
+            const bool gyro_knows = params_.motion.heading == HeadingSource::gyro &&
+                                    !track.check.gyro_suspect() && window.in_a_row <= kLongSlip;
             doubt = variances(off_m, gyro_knows ? 0 : off_rad) * growth(window.in_a_row);
             break;
         }
