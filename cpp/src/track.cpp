@@ -17,12 +17,13 @@ constexpr double kLeastSpeed_m_s = 0.5;   // without a measured speed
 constexpr double kLeastTurn_rad_s = 0.3;  // without a measured turn
 constexpr double kCarried_m_s = 1;        // whoever carries it walks
 constexpr double kCrooked = 0.3;          // of a distance driven unseen: how far off a plain arc
-constexpr int kLongSlip = 4;              // windows; then the gyro may be stuck as well
 constexpr double kMoved_m = 0.3;          // while it was switched off
 constexpr double kMoved_rad = 0.1;
 // Beyond these, more doubt tells nothing more.
 constexpr double kNoIdea_m = 10;
 constexpr double kNoIdea_rad = 1;
+
+constexpr int kLongSlip = 4;  // windows; after them the gyro may be stuck as well
 
 double square(double v) noexcept {
     return v * v;
