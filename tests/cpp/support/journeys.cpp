@@ -40,9 +40,10 @@ void Journey::look(std::vector<Sample>& samples) {
         seen += noise * Vector<double, 3>(0.02, 0.02, 0.1).cwiseProduct(draw_.normal<double, 3>());
         Sample sample =
             sighting_at(utime, marker.id, only(seen, bearing, elevation, range), index++);
-        sample.seq = seq;
+        sample.seq = frames_;
         samples.push_back(sample);
     }
+    ++frames_;
 }
 
 double contradiction(const Pose<double>& estimate, const Matrix<double, 3>& covariance,

@@ -45,6 +45,7 @@ class Journey {
     const MarkerMap* map_;
     Draw draw_;
     double left_m_ = 0, right_m_ = 0;
+    std::int32_t frames_ = 0;
 };
 
 /// Three markers around the origin.
