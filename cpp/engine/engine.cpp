@@ -80,7 +80,10 @@ void Engine::handle(std::string_view channel, std::int64_t received, const std::
     if (input == nullptr || !acceptable(*input, codec, whole, fingerprint, size)) return;
     input->received(received, decoded_.seq, decoded_.samples.size());
     const Input::Date date = input->date(decoded_.utime, decoded_.seq, received);
-    if (input->kind() == Kind::reset) reset_seq_ = decoded_.seq;
+    if (input->kind() == Kind::reset) {
+        reset_seq_ = decoded_.seq;
+        reset_answer_ = name(Verdict::pending);
+    }
     if (input == &inputs_[motion_] && date.good) follow_clock(date.utime, received);
     bool moved = false;
     for (Sample& sample : decoded_.samples) moved |= take(*input, sample, date);
