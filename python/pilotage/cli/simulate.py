@@ -5,6 +5,9 @@ from typing import Annotated
 
 import typer
 
+PATIENCE_S = 60.0
+"""For somebody to start a node in another terminal."""
+
 
 def simulate(
     scenario: Annotated[
@@ -15,6 +18,9 @@ def simulate(
         typer.Option("--output", "-o", help="LCM log; the configuration goes beside it."),
     ] = None,
     live: Annotated[bool, typer.Option("--live", help="Send it over LCM instead.")] = False,
+    wait: Annotated[
+        bool, typer.Option("--wait/--no-wait", help="Of --live: begin once a node is heard.")
+    ] = True,
     speed: Annotated[float, typer.Option(help="Of --live, times real time.")] = 1.0,
     lcm_url: Annotated[
         str | None, typer.Option(help="Of --live; LCM_DEFAULT_URL unless given.")
@@ -38,7 +44,8 @@ def simulate(
 
     The log holds encoders, gyro, marker frames and the truth (reference_t); beside it stands a
     configuration with the map, for `pilotage replay` and `pilotage-node`. Live, the same messages
-    are sent with the same stamps, which begin at one second.
+    are sent with the same stamps, which begin at one second; the configuration goes into this
+    folder, and the drive begins once a node is heard.
 
     Example: pilotage simulate figure-eight -o eight.lcmlog --gyro-bias 0.001 && pilotage replay
     eight.lcmlog --config eight.yaml
@@ -93,10 +100,16 @@ def simulate(
         typer.echo(f"{output}: {len(simulation.recording)} messages")
         typer.echo(f"pilotage replay {output} --config {output.with_suffix('.yaml')}")
         return
+    from ..health import Health
     from ..live import play
 
     file = Path(f"{scenario}.yaml")
     file.write_text(config, encoding="utf-8")
-    typer.echo(f"sending; a node for it: pilotage-node --config {file}")
+    typer.echo(f"a node for it: pilotage-node --config {file}")
+    if wait:
+        health = Health(lcm_url, simulation.config)
+        if not health.listen(PATIENCE_S, health.status.heard):
+            raise RuntimeError(f"no node was heard on {health.url}; --no-wait sends to nobody")
+    typer.echo("sending")
     with progress_bar("sending") as progress:
         play(simulation.recording, speed, progress, lcm_url)

@@ -48,6 +48,15 @@ void expect_sound(const status_t& status) {
     }
 }
 
+void expect_sound(const odometry_t& o) {
+    for (const double v : {o.x, o.y, o.heading, o.v, o.omega}) EXPECT_TRUE(std::isfinite(v));
+}
+
+void expect_sound(const pose_jump_t& jump) {
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::isfinite(jump.before[i] + jump.after[i]));
+    EXPECT_TRUE(jump.cause == "correction" || jump.cause == "reset" || jump.cause == "clock");
+}
+
 template <typename Message>
 void take(std::vector<Message>& messages, const std::uint8_t* data, std::size_t size) {
     Message message;
@@ -73,6 +82,8 @@ void Bench::message(const std::string& channel, const std::uint8_t* data, std::s
     if (channel == "POSE") return take(poses, data, size);
     if (channel == "MARKER_REPORT") return take(reports, data, size);
     if (channel == "STATUS") return take(statuses, data, size);
+    if (channel == "ODOMETRY") return take(odometry, data, size);
+    if (channel == "POSE_JUMP") return take(jumps, data, size);
     ADD_FAILURE() << "a message on channel " << channel;
 }
 
