@@ -27,7 +27,8 @@ void Journey::step(std::vector<Sample>& samples, double v, double omega) {
     truth[kHeading] = wrap(truth[kHeading]);
     utime += kPeriod;
     ++seq;
-    const double rate = gyro_scale * turn / kPeriod_s + gyro_bias;
+    const double alive = gyro_scale != 0 ? 1e-7 * gyro_draw_.normal<double, 1>()(0) : 0;
+    const double rate = gyro_scale * turn / kPeriod_s + gyro_bias + alive;
     if (gyro) samples.push_back(gyro_at(utime, rate, seq));
     if (encoders) samples.push_back(encoders_at(utime, left(), right(), seq));
     if (camera && seq % 5 == 0) look(samples);

@@ -17,7 +17,7 @@ class Journey {
     explicit Journey(const MarkerMap& map, unsigned seed = 1) : map_(&map), draw_(seed) {}
 
     // Healthy, unless told otherwise.
-    double gyro_bias = 0, gyro_scale = 1;
+    double gyro_bias = 0, gyro_scale = 1;          ///< scale 0: stuck at zero
     double left_spin_m_s = 0, right_spin_m_s = 0;  ///< of a wheel on ice
     bool encoders = true, gyro = true, camera = true;
     bool bearing = true, elevation = false, range = true;
@@ -43,7 +43,7 @@ class Journey {
     void look(std::vector<Sample>& samples);
 
     const MarkerMap* map_;
-    Draw draw_;
+    Draw draw_, gyro_draw_{99};
     double left_m_ = 0, right_m_ = 0;
     std::int32_t frames_ = 0;
 };
