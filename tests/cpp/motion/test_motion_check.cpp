@@ -116,8 +116,8 @@ TEST(MotionCheckTest, ReleasesTheTurnOfAWindowThatEndsAStandstillByALift) {
     EXPECT_NEAR(check.released_rad(), (kWindow - 1) * 0.4 * kStep_s, 1e-12);
 }
 
-/// A wheel that spins turns the wheels' robot more than the gyro's; less, or the other way round,
-/// is no slip.
+/// A wheel that spins turns the wheels' robot more than the gyro's, also where that slowly turns
+/// the other way; less, or as much the other way round, is no slip.
 TEST(MotionCheckTest, SlipsWhereTheWheelsTurnMoreAndSuspectsTheGyroWhereTheyTurnLess) {
     struct Case {
         double wheels, gyro;
@@ -125,7 +125,8 @@ TEST(MotionCheckTest, SlipsWhereTheWheelsTurnMoreAndSuspectsTheGyroWhereTheyTurn
     };
     for (const Case& c : {Case{1, 0, false}, Case{-1, 0, false}, Case{1, 0.5, false},
                           Case{-1, -0.5, false}, Case{0.3, 0.6, true}, Case{-0.3, -0.6, true},
-                          Case{0.3, -0.1, true}, Case{-0.3, 0.1, true}, Case{0, 0.3, true}}) {
+                          Case{0.3, -0.25, true}, Case{-0.3, 0.25, true}, Case{0, 0.3, true},
+                          Case{0.9, -0.1, false}, Case{-0.9, 0.1, false}}) {
         SCOPED_TRACE(::testing::Message() << "wheels " << c.wheels << " gyro " << c.gyro);
         MotionCheck check;
         feed(check, kWindow, step(true, c.wheels, c.gyro));

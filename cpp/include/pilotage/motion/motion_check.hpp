@@ -112,8 +112,10 @@ class MotionCheck {
         const bool agree =
             !open_.heard || std::abs(difference) <= kSigmas * std::sqrt(variance) + slack;
         const bool suspected = gyro_suspect_;
-        const bool no_slip = open_.frozen || open_.gyro_turn_rad * open_.wheel_turn_rad < 0 ||
-                             std::abs(open_.gyro_turn_rad) > std::abs(open_.wheel_turn_rad);
+        // A wheel that spins while the robot slowly turns the other way is a slip as well.
+        const double share = open_.gyro_turn_rad * open_.wheel_turn_rad < 0 ? 0.5 : 1;
+        const bool no_slip =
+            open_.frozen || std::abs(open_.gyro_turn_rad) > share * std::abs(open_.wheel_turn_rad);
         const bool no_lift = suspected || open_.fastest_rad_s > kWild_rad_s;
         gyro_suspect_ = !agree && (open_.ticked ? no_slip : no_lift);
         const bool stood = state_ == MotionState::standing && !open_.ticked;
