@@ -78,6 +78,44 @@ void Bench::send_bytes(const std::string& channel, const Bytes& bytes, std::int6
     engine_.handle(channel, received, exact.get(), bytes.size());
 }
 
+void Bench::run(const std::vector<Sample>& samples) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const Sample& s = samples[i];
+        const std::int64_t t = s.utime;
+        wait(t);
+        switch (s.stream) {
+            case Stream::motion:
+                send("ENCODERS", encoders(t, s.payload.ticks.left, s.payload.ticks.right, s.seq));
+                break;
+            case Stream::gyro:
+                send("GYRO", gyro(t, s.payload.gyro.rate_rad_s, s.seq));
+                break;
+            case Stream::sighting: {
+                std::vector<marker_sighting_t> sightings;
+                for (; i < samples.size() && samples[i].stream == Stream::sighting &&
+                       samples[i].utime == t;
+                     ++i) {
+                    const Sighting& marker = samples[i].payload.sighting;
+                    sightings.push_back(
+                        seen(marker.id, marker.value[0], marker.value[1], marker.value[2]));
+                }
+                --i;
+                send("MARKERS", frame(t, "camera", sightings, s.seq));
+                break;
+            }
+            case Stream::reset: {
+                const double* pose = s.payload.reset.pose;
+                send("POSE_RESET", reset(t, pose[0], pose[1], pose[2]));
+                break;
+            }
+        }
+    }
+}
+
+void Bench::wait(std::int64_t until) {
+    for (; next_tick_ <= until; next_tick_ += 1'000'000) engine_.tick(next_tick_, 0);
+}
+
 void Bench::message(const std::string& channel, const std::uint8_t* data, std::size_t size) {
     if (channel == "POSE") return take(poses, data, size);
     if (channel == "MARKER_REPORT") return take(reports, data, size);
