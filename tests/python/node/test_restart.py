@@ -190,7 +190,7 @@ def test_the_status_tells_how_old_the_checkpoint_is(tmp_path: Path):
         assert math.isnan(running.messages["STATUS"][0].checkpoint_age_s)
         _drive(running, robot, 50)
         start = time.time()
-        for second in (1.1, 2.1, 3.1):
+        for second in (1.1, 2.1):
             said = running.status_after(start + second)
         assert 0.0 <= said.checkpoint_age_s < 2.0
         made = pilotage.read_checkpoint(path)["made"]
