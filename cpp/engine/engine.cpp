@@ -178,6 +178,7 @@ void Engine::on_sighting(const SightingReport& report) {
 void Engine::publish_moved() {
     const Estimate e = estimate();
     const std::optional<Jump> jump = pose_output_.follow(e);
+    if (e.disagreement_rad != 0) motion_problem_ = disagreement(e);
     if (config_.output.rate_hz == 0) publisher_.pose(e, pose_output_.resets());
     publisher_.odometry(e, pose_output_.odometry());
     if (jump) publisher_.jump(*jump, e.utime, pose_output_.resets());
@@ -249,6 +250,7 @@ void Engine::publish_status(std::int64_t drops) {
     message.n_inputs = static_cast<std::int32_t>(inputs_.size());
     for (const Input& input : inputs_) message.inputs.push_back(input.status(now_));
     publisher_.status(message);
+    motion_problem_.clear();
 }
 
 void Engine::make_checkpoint() {
@@ -319,6 +321,7 @@ std::string Engine::reason(const Assessment& assessment) const {
         if (!more.empty()) text += (text.empty() ? "" : "; ") + more;
     };
     if (const std::string missing = waiting_for(); !missing.empty()) add("waiting for " + missing);
+    add(motion_problem_);
     for (const Input& input : inputs_)
         if (!input.problem().empty()) add(input.name() + ": " + input.problem());
     return text;

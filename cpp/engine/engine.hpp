@@ -103,6 +103,7 @@ class Engine final : private Listener {
     Status status_ = Status::waiting;
     std::int32_t checkpoints_ = 0, reset_seq_ = -1;
     std::string reset_answer_;
+    std::string motion_problem_;  // since the last status
 };
 
 }  // namespace pilotage

@@ -1,5 +1,7 @@
 #include "explain.hpp"
 
+#include <cmath>
+
 #include "words.hpp"
 
 namespace pilotage {
@@ -39,8 +41,8 @@ std::string explain(const Assessment& a) {
                          a.limit);
         case Reason::disagreement:
             return words(
-                "the sightings contradict the pose: mean NIS %.1f per degree of freedom, "
-                "limit %.1f",
+                "the sightings contradict the motion (mean NIS %.1f per degree of freedom, limit "
+                "%.1f): encoders, gyro or markers are wrong",
                 a.value, a.limit);
         case Reason::no_sighting:
             return words("no sighting that agrees for %.1f s, limit %.1f s", a.value, a.limit);
@@ -49,6 +51,22 @@ std::string explain(const Assessment& a) {
         case Reason::motion_gap:
             return words("no motion for %.1f s, limit %.1f s", a.value, a.limit);
     }
+    return "";
+}
+
+std::string disagreement(const Estimate& e) {
+    const double off_rad = std::abs(e.disagreement_rad);
+    if (e.gyro_left_out)
+        return words("the gyro is off the encoders by %.2f rad in half a second and left out",
+                     off_rad);
+    if (e.motion == MotionState::slipping)
+        return words("slipping: the encoders are off the gyro by %.2f rad in half a second",
+                     off_rad);
+    if (e.motion == MotionState::lifted)
+        return words(
+            "lifted: the encoders stand still, the gyro turned by %.2f rad in half a "
+            "second",
+            off_rad);
     return "";
 }
 

@@ -15,6 +15,9 @@ namespace pilotage {
 /// Why a status is what it is, with the value and the limit that decided; empty where it is OK.
 [[nodiscard]] std::string explain(const Assessment& assessment);
 
+/// What wheels and gyro hold against each other; empty if nothing.
+[[nodiscard]] std::string disagreement(const Estimate& e);
+
 [[nodiscard]] std::string wrong_type(const std::string& channel, const std::string& expected,
                                      const std::string& got, std::int64_t fingerprint);
 [[nodiscard]] std::string unknown_sensor(const std::string& channel, const std::string& sensor);

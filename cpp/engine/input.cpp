@@ -53,10 +53,11 @@ void Input::received(std::int64_t received, std::int32_t seq, std::size_t sample
         // A sender that restarts counts from zero again, which is no loss.
         const std::int64_t gap = std::int64_t{seq} - last_seq_ - 1;
         if (gap > 0) lost_ += gap;
-        constexpr double smoothing = 0.05;
         const double dt_s = std::fmax(0, seconds_from(last_received_, received));
-        if (interval_s_ == 0) interval_s_ = dt_s;
-        interval_s_ += smoothing * (std::fmin(dt_s, 5 * interval_s_) - interval_s_);  // no outage
+        if (interval_s_ == 0) interval_s_ = usual_interval_s_ = dt_s;
+        const double counted_s = std::fmin(dt_s, 5 * interval_s_);  // an outage is no rate
+        interval_s_ += 0.05 * (counted_s - interval_s_);
+        usual_interval_s_ += std::fmin(0.05, dt_s / 60) * (counted_s - usual_interval_s_);
     }
     seen_ = true;
     last_seq_ = seq;
@@ -75,8 +76,10 @@ void Input::judged(Verdict before, Verdict now) noexcept {
 
 void Input::reported(const SightingReport& report) noexcept {
     if (report.verdict != Verdict::fused && report.verdict != Verdict::gate) return;
-    constexpr double smoothing = 0.1;
-    contradiction_ += smoothing * ((report.agrees ? 0 : 1) - contradiction_);
+    const double contradicts = report.agrees ? 0 : 1;
+    contradiction_ += 0.02 * (contradicts - contradiction_);
+    double& of_marker = contradiction_by_marker_[report.id];
+    of_marker += 0.2 * (contradicts - of_marker);
 }
 
 std::int64_t Input::samples() const noexcept {
@@ -101,6 +104,7 @@ const std::string& Input::review(std::int64_t now, bool needed) {
     reviewed_ = counts();
     reviewed_repeated_ = clock_.repeated();
     reviewed_steps_ = clock_.steps();
+    reviewed_lost_ = lost_;
     return problem_;
 }
 
@@ -110,9 +114,32 @@ std::string Input::find_problem(std::int64_t now, bool needed) const {
         return words("silent for %.1f s", age_s(now));
     if (std::string clock = clock_problem(); !clock.empty()) return clock;
     if (std::string rejected = rejections(); !rejected.empty()) return rejected;
-    if (contradiction_ > 0.5)
-        return words("%.0f %% of the latest sightings contradict the pose", 100 * contradiction_);
+    if (std::string rate = rate_problem(); !rate.empty()) return rate;
+    return contradictions();
+}
+
+std::string Input::rate_problem() const {
+    const auto lost = lost_ - reviewed_lost_;
+    std::int64_t fresh = samples();
+    for (const std::int64_t n : reviewed_) fresh -= n;
+    if (lost > 2 && 10 * lost > fresh)
+        return words("lost %lld messages, by gaps in seq", static_cast<long long>(lost));
+    if (kind_ != Kind::reset && interval_s_ > 3 * usual_interval_s_)
+        return words("slow: %.1f Hz, usually %.1f Hz", 1 / interval_s_, 1 / usual_interval_s_);
     return "";
+}
+
+std::string Input::contradictions() const {
+    const std::string all =
+        words("%.0f %% of the latest sightings contradict the pose", 100 * contradiction_);
+    if (contradiction_ > 0.5) return all;
+    for (const auto& [id, share] : contradiction_by_marker_)
+        if (share > 0.7)
+            return words(
+                "the sightings of marker %d contradict the pose: is it where the map "
+                "has it?",
+                static_cast<int>(id));
+    return contradiction_ > 0.08 ? all : "";
 }
 
 std::string Input::clock_problem() const {
@@ -149,7 +176,9 @@ std::string Input::rejections() const {
             reason = i;
         }
     }
-    if (rejected < 1 || 2 * rejected < fresh) return "";
+    const bool jumped = now[static_cast<std::size_t>(Verdict::counter_reset)] >
+                        reviewed_[static_cast<std::size_t>(Verdict::counter_reset)];
+    if (rejected < 1 || (2 * rejected < fresh && !jumped)) return "";
     const char* word = reason < kVerdicts
                            ? pilotage::name(static_cast<Verdict>(reason))
                            : pilotage::name(static_cast<MessageFault>(reason - kVerdicts));

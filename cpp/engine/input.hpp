@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include "codecs.hpp"
@@ -69,7 +70,9 @@ class Input {
     [[nodiscard]] double age_s(std::int64_t now) const noexcept;
     [[nodiscard]] std::string find_problem(std::int64_t now, bool needed) const;
     [[nodiscard]] std::string clock_problem() const;
+    [[nodiscard]] std::string rate_problem() const;
     [[nodiscard]] std::string rejections() const;
+    [[nodiscard]] std::string contradictions() const;
     [[nodiscard]] Counts counts() const noexcept;
 
     std::string name_;
@@ -81,14 +84,16 @@ class Input {
     std::array<std::int64_t, kVerdicts> verdicts_{};
     std::array<std::int64_t, kMessageFaults> faults_{};
     std::int64_t lost_ = 0, last_received_ = 0;
-    double interval_s_ = 0;     // smoothed
-    double contradiction_ = 0;  // share of the latest sightings that contradict the estimate
+    double interval_s_ = 0, usual_interval_s_ = 0;  // smoothed over seconds, over minutes
+    // Share of the latest sightings that contradict the estimate: of all, and by marker.
+    double contradiction_ = 0;
+    std::map<std::int32_t, double> contradiction_by_marker_;
     std::int32_t last_seq_ = 0;
     bool seen_ = false, followed_ = false;
 
     // At the last review.
     Counts reviewed_{};
-    std::int64_t reviewed_repeated_ = 0, reviewed_steps_ = 0;
+    std::int64_t reviewed_repeated_ = 0, reviewed_steps_ = 0, reviewed_lost_ = 0;
     std::string problem_;
 };
 

@@ -10,7 +10,7 @@ namespace pilotage {
 /// As printf does.
 template <typename... Values>
 [[nodiscard]] std::string words(const char* format, Values... values) {
-    char text[160];
+    char text[200];
     std::snprintf(text, sizeof text, format, values...);
     return text;
 }

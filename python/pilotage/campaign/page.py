@@ -42,7 +42,8 @@ def _parts(report: FaultReport) -> Iterator[str]:
     yield _text(
         f"A cell misses what it requires where fewer than {MOST:.0%} of its runs do it, or more "
         f"than {SILENT_SHARE:.1%} fail silently. Where no error is required, what the covariance "
-        f"states bounds it. To be OK again within {AGAIN_S:g} s is required of all."
+        f"states bounds it. To be OK again within {AGAIN_S:g} s is required of all. The first row "
+        "is without a fault: what is said there is a false alarm."
     )
     yield "\n".join(f"- **{name}**: {meaning}" for name, meaning in MEANING.items()) + "\n"
     yield _markdown(cell_table(report))
