@@ -216,11 +216,11 @@ std::int64_t Engine::tick_period() const noexcept {
 
 void Engine::review_inputs() {
     for (Input& input : inputs_) {
-        const std::string before = input.problem();
+        const bool was_well = input.problem().empty();
         const std::string& now = input.review(now_, needed(input));
-        if (before.empty() != now.empty())
-            tell(input.name(), input.name() + " (" + input.channel() +
-                                   "): " + (now.empty() ? "well again" : now));
+        if (was_well == now.empty()) continue;
+        const std::string what = now.empty() ? "well again; it was: " + input.trouble() : now;
+        tell(input.name(), input.name() + " (" + input.channel() + "): " + what);
     }
 }
 
