@@ -24,7 +24,7 @@ initial: {{x_m: 0, y_m: 0, heading_rad: 0}}
 
 @dataclass
 class Robot:
-    """Where it is after `step` steps of 10 ms; `carry` changes that and its ticks tell nothing.
+    """Where it is after `step` steps of `period_us`.
 
     Attributes
     ----------
@@ -38,10 +38,12 @@ class Robot:
     aside: tuple[float, float] = (0.0, 0.0)
     ticks_from: int = -1
     first_us: int = 1_000_000
+    period_us: int = PERIOD_US
+    frames: int = 0
 
     @property
     def utime(self) -> int:
-        return self.first_us + PERIOD_US * self.step
+        return self.first_us + self.period_us * self.step
 
     def pose(self, utime: int) -> tuple[float, float, float]:
         """x, y [m] and heading [rad] at a time [us] since it was last carried."""
@@ -64,13 +66,15 @@ class Robot:
         encoders.left, encoders.right = self.ticks
         yield "ENCODERS", encoders
         if sightings:
-            yield "MARKERS", frame(self.utime, self.step, self.sees(1 + self.step % len(MARKERS)))
+            marker = 1 + self.frames % len(MARKERS)
+            yield "MARKERS", frame(self.utime, self.frames, self.sees(marker))
+            self.frames += 1
         self.step += 1
 
     @property
     def ticks(self) -> tuple[int, int]:
         """Counts of the wheels."""
-        way_mm = 10.0 * (self.step - max(self.ticks_from, 0))
+        way_mm = 1e-3 * self.period_us * (self.step - max(self.ticks_from, 0))
         half = TRACK_M / 2.0 / RADIUS_M
         offset = 1000 if self.ticks_from < 0 else 0
         return offset + round(way_mm * (1 - half)), offset + round(way_mm * (1 + half))
