@@ -234,11 +234,12 @@ Field field(Config& config, const std::string& key, const std::string& where) {
         }
     }
     std::vector<Field> list = fields(config);
+    const auto known = [&](const Field& f) { return f.key == key; };
+    if (const auto at = std::find_if(list.begin(), list.end(), known); at != list.end()) return *at;
     const auto nearest =
         std::min_element(list.begin(), list.end(), [&](const Field& a, const Field& b) {
             return edit_distance(a.key, key) < edit_distance(b.key, key);
         });
-    if (nearest->key == key) return *nearest;
     fail(where, "unknown key '" + key + "'; the nearest known key is '" + nearest->key + "'");
 }
 

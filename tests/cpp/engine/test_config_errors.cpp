@@ -33,6 +33,14 @@ TEST(ConfigErrorTest, AnUnknownSectionIsNoBetterForBeingEmpty) {
     EXPECT_EQ(said("sensors: {}\n"), "") << "no sensor is a robot by dead reckoning";
 }
 
+TEST(ConfigErrorTest, ASectionThatHoldsItselfIsRefused) {
+    EXPECT_SAID("&a {motion: *a}\n", "robot.yaml:1: unknown key 'motion.motion.motion'");
+    EXPECT_SAID("&a {sensors: *a}\n", "robot.yaml:1: unknown key 'sensors.sensors.sensors'");
+    EXPECT_SAID("sensors: {camera: {fusion: &a {fusion: *a}}}\n",
+                "robot.yaml:1: 'sensors.camera.fusion' needs a value");
+    EXPECT_SAID("map: &a [*a]\n", "robot.yaml:1: a marker is written");
+}
+
 TEST(ConfigErrorTest, AKeyThatComesTwiceIsNamed) {
     EXPECT_SAID("gyro: {channel: A}\nencoders: {}\ngyro: {channel: B}\n",
                 "robot.yaml:3: key 'gyro' comes twice");
