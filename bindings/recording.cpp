@@ -13,6 +13,7 @@
 #include "pilotage/marker_frame_t.hpp"
 #include "pilotage/reference_t.hpp"
 #include "pilotage/velocity_t.hpp"
+#include "text.hpp"
 
 namespace py = pybind11;
 
@@ -192,7 +193,7 @@ stamp unless `received` is given. Call `sort` once everything is added.
             [](const Recording& r, std::size_t i) {
                 if (i >= r.size()) throw py::index_error();
                 const LogEvent e = r[i];
-                return py::make_tuple(e.received, std::string(e.channel),
+                return py::make_tuple(e.received, readable(e.channel),
                                       py::bytes(reinterpret_cast<const char*>(e.data), e.size));
             },
             "(received, channel, data) of a message.");
