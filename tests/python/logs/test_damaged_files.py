@@ -97,7 +97,7 @@ DAMAGES = st.lists(
 
 
 @pytest.mark.parametrize("kind", MAKE)
-@settings(max_examples=4000, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(which=PLACE, damages=DAMAGES)
 def test_a_damaged_file_gives_a_log_or_names_itself(
     kind: str, which: float, damages: list[Damage]
