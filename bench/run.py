@@ -137,6 +137,10 @@ def rows(build: Path) -> Iterator[Row]:
     steps = build / "bench/bench_steps"
     ns = numbers(output_of(steps)) | script("filterpy_step.py")
     yield from step_rows(ns, instructions(steps, [name for name in COUNTED if name in ns]))
+    late = numbers(output_of(build / "bench/bench_late"))
+    for states in (3, 6):
+        yield Row(f"a sighting 1 s late, Ekf<{states}>", late[f"late{states}_us"], "µs", "≤ 15")
+        yield Row("  each frame fused again", late[f"late{states}_frame_us"], "µs", "≤ 1.5")
     million = 1e6
     rate = engine(build)["messages_per_s"] / million
     yield Row("engine on an LCM log file", rate, "million messages/s", "≥ 1.5")

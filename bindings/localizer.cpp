@@ -94,7 +94,10 @@ class PyLocalizer {
                 encoders_ ? Sample::make(tm[i], seq, Stream::motion,
                                          EncoderTicks{std::llround(u[0]), std::llround(u[1])})
                           : Sample::make(tm[i], seq, Stream::motion, BodyVelocity{u[0], u[1]});
-            if (localizer.add(sample)) rows.push_back(Run::row_of(localizer.estimate()));
+            if (localizer.add(sample)) {
+                const Estimate e = localizer.estimate();
+                rows.push_back(Run::row_of(e, e.resets));
+            }
         }
     }
 

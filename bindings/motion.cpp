@@ -1,5 +1,10 @@
 #include <pybind11/eigen.h>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "arrays.hpp"
 #include "bindings.hpp"
 #include "pilotage/motion/calibrated.hpp"
 #include "pilotage/motion/differential_drive.hpp"
@@ -30,6 +35,39 @@ auto linearize(const Model& model, const Vector<double, N>& x, const Vector<doub
     return std::make_tuple(Vector<double, N>(step.next), Matrix<double, N>(step.a.dense()), step.b);
 }
 
+/// Rows of three, as numpy sees them.
+using Poses = std::vector<std::array<double, 3>>;
+
+py::array_t<double> as_array(const Poses& poses) {
+    return py::array_t<double>({static_cast<py::ssize_t>(poses.size()), py::ssize_t{3}},
+                               poses.empty() ? nullptr : poses.front().data());
+}
+
+void step(const Arc& model, const double* pose, const double* u, double* next) {
+    using X = Eigen::Map<const Vector<double, 3>>;
+    using U = Eigen::Map<const Vector<double, 2>>;
+    const Pose<double> reached = model.linearize(X(pose), U(u)).next;
+    std::copy_n(reached.data(), 3, next);
+}
+
+auto path(const Arc& model, const Vector<double, 3>& start, const Array<double>& u) {
+    expect_shape(u, u.size() / 2, 2, "u");
+    Poses poses(static_cast<std::size_t>(u.shape(0)) + 1);
+    poses[0] = {start[0], start[1], start[2]};
+    for (std::size_t i = 0; i + 1 < poses.size(); ++i)
+        step(model, poses[i].data(), u.data() + 2 * i, poses[i + 1].data());
+    return as_array(poses);
+}
+
+auto step_each(const Arc& model, const Array<double>& from, const Array<double>& u) {
+    expect_shape(u, u.size() / 2, 2, "u");
+    expect_shape(from, u.shape(0), 3, "x");
+    Poses poses(static_cast<std::size_t>(u.shape(0)));
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        step(model, from.data() + 3 * i, u.data() + 2 * i, poses[i].data());
+    return as_array(poses);
+}
+
 }  // namespace
 
 void bind_motion(py::module_& m) {
@@ -42,7 +80,11 @@ Eqs. 16 to 18 of Kiriy and Buehler 2002.
         .def("linearize", &linearize<Midpoint, 3, 2>, py::arg("x"), py::arg("u"), kLinearize);
     py::class_<Arc>(m, "ArcUnicycle", "u = (distance [m], turn [rad]), driven along the exact arc.")
         .def(py::init([](double slip) { return Arc{slip}; }), py::arg("slip_angle_rad") = 0.0)
-        .def("linearize", &linearize<Arc, 3, 2>, py::arg("x"), py::arg("u"), kLinearize);
+        .def("linearize", &linearize<Arc, 3, 2>, py::arg("x"), py::arg("u"), kLinearize)
+        .def("path", &path, py::arg("x"), py::arg("u"),
+             "The poses (n + 1, 3) from x (3,) on, one step after the other, u (n, 2).")
+        .def("step_each", &step_each, py::arg("x"), py::arg("u"),
+             "The poses (n, 3) one step from each of x (n, 3), u (n, 2).");
     py::class_<DifferentialDrive<double>>(
         m, "DifferentialDrive",
         R"(u = (left travel [m], right travel [m]), heading from the wheels.

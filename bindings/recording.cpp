@@ -12,6 +12,7 @@
 #include "pilotage/gyro_t.hpp"
 #include "pilotage/marker_frame_t.hpp"
 #include "pilotage/reference_t.hpp"
+#include "pilotage/tick_t.hpp"
 #include "pilotage/velocity_t.hpp"
 #include "text.hpp"
 
@@ -23,32 +24,53 @@ namespace {
 
 using Times = Array<std::int64_t>;
 using Numbers = Array<double>;
+using Sequence = Array<std::int32_t>;
 
-/// Encodes `count` messages; seq counts from 0, the time of arrival is the stamp unless it is
-/// given.
+/// What every message has: the time of arrival is the stamp and seq counts from 0, unless given.
+struct Headers {
+    Headers(const Times& utime, const std::optional<Times>& received,
+            const std::optional<Sequence>& seq)
+        : size(utime.size()),
+          utime(utime.data()),
+          received(received ? received->data() : utime.data()),
+          seq(seq ? seq->data() : nullptr) {
+        expect_length(utime, size, "utime");
+        if (received) expect_length(*received, size, "received");
+        if (seq) expect_length(*seq, size, "seq");
+    }
+    [[nodiscard]] std::int32_t seq_of(py::ssize_t row, std::int32_t counted) const {
+        return seq != nullptr ? seq[row] : counted;
+    }
+    /// Whether the row belongs to the message of the row before it.
+    [[nodiscard]] bool continues(py::ssize_t row) const {
+        return utime[row] == utime[row - 1] && received[row] == received[row - 1] &&
+               (seq == nullptr || seq[row] == seq[row - 1]);
+    }
+
+    py::ssize_t size;
+    const std::int64_t *utime, *received;
+    const std::int32_t* seq;
+};
+
 template <typename Message, typename Fill>
-void add_all(Recording& recording, const std::string& channel, const Times& utime,
-             const std::optional<Times>& received, const Fill& fill) {
-    const py::ssize_t n = utime.size();
-    expect_length(utime, n, "utime");
-    if (received) expect_length(*received, n, "received");
-    const std::int64_t* stamp = utime.data();
-    const std::int64_t* arrival = received ? received->data() : stamp;
+void add_all(Recording& recording, const std::string& channel, const Headers& headers,
+             const Fill& fill) {
     const py::gil_scoped_release release;
     Message message{};
-    for (py::ssize_t i = 0; i < n; ++i) {
-        message.utime = stamp[i];
-        message.seq = static_cast<std::int32_t>(i);
+    for (py::ssize_t i = 0; i < headers.size; ++i) {
+        message.utime = headers.utime[i];
+        message.seq = headers.seq_of(i, static_cast<std::int32_t>(i));
         fill(message, i);
-        recording.add(arrival[i], channel, message);
+        recording.add(headers.received[i], channel, message);
     }
 }
 
 void add_encoders(Recording& recording, const std::string& channel, const Times& utime,
-                  const Times& left, const Times& right, const std::optional<Times>& received) {
+                  const Times& left, const Times& right, const std::optional<Times>& received,
+                  const std::optional<Sequence>& seq) {
     expect_length(left, utime.size(), "left");
     expect_length(right, utime.size(), "right");
-    add_all<encoders_t>(recording, channel, utime, received,
+    add_all<encoders_t>(recording, channel, {utime, received, seq},
                         [l = left.data(), r = right.data()](encoders_t& m, py::ssize_t i) {
                             m.left = l[i];
                             m.right = r[i];
@@ -56,17 +78,19 @@ void add_encoders(Recording& recording, const std::string& channel, const Times&
 }
 
 void add_gyro(Recording& recording, const std::string& channel, const Times& utime,
-              const Numbers& rate, const std::optional<Times>& received) {
+              const Numbers& rate, const std::optional<Times>& received,
+              const std::optional<Sequence>& seq) {
     expect_length(rate, utime.size(), "rate");
-    add_all<gyro_t>(recording, channel, utime, received,
+    add_all<gyro_t>(recording, channel, {utime, received, seq},
                     [r = rate.data()](gyro_t& m, py::ssize_t i) { m.rate = r[i]; });
 }
 
 void add_velocity(Recording& recording, const std::string& channel, const Times& utime,
-                  const Numbers& v, const Numbers& omega, const std::optional<Times>& received) {
+                  const Numbers& v, const Numbers& omega, const std::optional<Times>& received,
+                  const std::optional<Sequence>& seq) {
     expect_length(v, utime.size(), "v");
     expect_length(omega, utime.size(), "omega");
-    add_all<velocity_t>(recording, channel, utime, received,
+    add_all<velocity_t>(recording, channel, {utime, received, seq},
                         [a = v.data(), b = omega.data()](velocity_t& m, py::ssize_t i) {
                             m.v = a[i];
                             m.omega = b[i];
@@ -75,11 +99,11 @@ void add_velocity(Recording& recording, const std::string& channel, const Times&
 
 void add_reference(Recording& recording, const std::string& channel, const Times& utime,
                    const Numbers& x, const Numbers& y, const Numbers& heading,
-                   const std::optional<Times>& received) {
+                   const std::optional<Times>& received, const std::optional<Sequence>& seq) {
     for (const Numbers* values : {&x, &y, &heading})
         expect_length(*values, utime.size(), "x, y and heading");
     add_all<reference_t>(
-        recording, channel, utime, received,
+        recording, channel, {utime, received, seq},
         [a = x.data(), b = y.data(), c = heading.data()](reference_t& m, py::ssize_t i) {
             m.x = a[i];
             m.y = b[i];
@@ -90,27 +114,40 @@ void add_reference(Recording& recording, const std::string& channel, const Times
 void add_sightings(Recording& recording, const std::string& channel, const std::string& sensor,
                    const Times& utime, const Array<std::int32_t>& id, const Numbers& bearing,
                    const Numbers& elevation, const Numbers& range,
-                   const std::optional<Times>& received) {
-    const py::ssize_t n = utime.size();
-    expect_length(utime, n, "utime");
-    expect_length(id, n, "id");
+                   const std::optional<Times>& received, const std::optional<Sequence>& seq) {
+    const Headers headers(utime, received, seq);
+    expect_length(id, headers.size, "id");
     for (const Numbers* values : {&bearing, &elevation, &range})
-        expect_length(*values, n, "bearing, elevation and range");
-    if (received) expect_length(*received, n, "received");
-    const std::int64_t* stamp = utime.data();
-    const std::int64_t* arrival = received ? received->data() : stamp;
+        expect_length(*values, headers.size, "bearing, elevation and range");
     marker_frame_t frame{};
     frame.sensor = sensor;
-    for (py::ssize_t first = 0, i = 0; i < n; first = i) {
-        frame.utime = stamp[first];
+    std::int32_t frames = 0;
+    for (py::ssize_t i = 0; i < headers.size; ++frames) {
+        const py::ssize_t first = i;
+        frame.utime = headers.utime[first];
+        frame.seq = headers.seq_of(first, frames);
         frame.sightings.clear();
-        for (; i < n && stamp[i] == stamp[first]; ++i)
+        do {
             frame.sightings.push_back(
                 {id.at(i), -1, bearing.at(i), elevation.at(i), range.at(i), NAN, NAN, NAN});
+            ++i;
+        } while (i < headers.size && headers.continues(i));
         frame.n = static_cast<std::int32_t>(frame.sightings.size());
-        recording.add(arrival[first], channel, frame);
-        ++frame.seq;
+        recording.add(headers.received[first], channel, frame);
     }
+}
+
+void add_ticks(Recording& recording, const Times& utime) {
+    add_all<tick_t>(recording, kTickChannel, {utime, std::nullopt, std::nullopt},
+                    [](tick_t&, py::ssize_t) {});
+}
+
+py::array_t<std::int64_t> arrivals(const Recording& recording, const std::string& channel) {
+    std::vector<std::int64_t> received;
+    for (std::size_t i = 0; i < recording.size(); ++i)
+        if (const LogEvent event = recording[i]; event.channel == channel)
+            received.push_back(event.received);
+    return owning_array(std::move(received));
 }
 
 struct ReferenceRow {
@@ -138,28 +175,31 @@ py::array reference(const Recording& recording) {
 void bind_recording(py::module_& m) {
     PYBIND11_NUMPY_DTYPE(ReferenceRow, utime, x, y, heading);
     const auto received = py::arg("received") = py::none();
+    const auto seq = py::arg("seq") = py::none();
     py::class_<Recording>(m, "Recording",
                           R"(LCM messages in the order of their arrival, as a log file holds them.
 
 The `add_*` methods encode whole arrays. Stamps are integer microseconds; the time of arrival is the
-stamp unless `received` is given. Call `sort` once everything is added.
+stamp unless `received` is given, and seq counts from 0 unless `seq` is. Call `sort` once everything is added.
 )")
         .def(py::init<>())
         .def("add_encoders", &add_encoders, py::arg("channel"), py::arg("utime"), py::arg("left"),
-             py::arg("right"), received, "encoders_t: (n,) int64 absolute ticks.")
+             py::arg("right"), received, seq, "encoders_t: (n,) int64 absolute ticks.")
         .def("add_gyro", &add_gyro, py::arg("channel"), py::arg("utime"), py::arg("rate"), received,
-             "gyro_t: (n,) mean yaw rate since the previous sample [rad/s].")
+             seq, "gyro_t: (n,) mean yaw rate since the previous sample [rad/s].")
         .def("add_velocity", &add_velocity, py::arg("channel"), py::arg("utime"), py::arg("v"),
-             py::arg("omega"), received,
+             py::arg("omega"), received, seq,
              "velocity_t: (n,) means since the previous sample [m/s, rad/s].")
         .def("add_sightings", &add_sightings, py::arg("channel"), py::arg("sensor"),
              py::arg("utime"), py::arg("id"), py::arg("bearing"), py::arg("elevation"),
-             py::arg("range"), received,
-             "marker_frame_t: (n,) each, NaN where not measured [rad, rad, m]; rows of equal utime "
-             "that follow "
-             "each other make one frame.")
+             py::arg("range"), received, seq,
+             "marker_frame_t: (n,) each, NaN where not measured [rad, rad, m]; rows that follow "
+             "each other with equal utime, time of arrival and seq make one frame.")
         .def("add_reference", &add_reference, py::arg("channel"), py::arg("utime"), py::arg("x"),
-             py::arg("y"), py::arg("heading"), received, "reference_t: (n,) truth [m, m, rad].")
+             py::arg("y"), py::arg("heading"), received, seq,
+             "reference_t: (n,) truth [m, m, rad].")
+        .def("add_ticks", &add_ticks, py::arg("utime"),
+             "tick_t, as `pilotage-node` records them: (n,) times at which the status is due.")
         .def(
             "add",
             [](Recording& r, std::int64_t at, const std::string& channel, const py::bytes& data) {
@@ -187,6 +227,8 @@ stamp unless `received` is given. Call `sort` once everything is added.
                 return found;
             },
             py::arg("channel"), "The encoded messages of a channel, in order.")
+        .def("arrivals", &arrivals, py::arg("channel"),
+             "(n,) times of arrival of a channel's messages, in order [us].")
         .def("__len__", &Recording::size)
         .def(
             "__getitem__",

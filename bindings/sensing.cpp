@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "arrays.hpp"
 #include "bindings.hpp"
 #include "marker_model.hpp"
 
@@ -72,6 +73,25 @@ value : (m,) float
 jacobian : (m, 3) float, by (x, y, heading)
 defined : bool, False at the marker itself
 )")
+        .def(
+            "predict",
+            [](const MarkerModel& model, const Array<double>& poses) {
+                expect_shape(poses, poses.size() / 3, 3, "poses");
+                return model.visit([&](const auto& core) {
+                    constexpr py::ssize_t m =
+                        std::decay_t<decltype(core)>::Values::RowsAtCompileTime;
+                    py::array_t<double> values({poses.shape(0), m});
+                    const double* pose = poses.data();
+                    double* value = values.mutable_data();
+                    for (py::ssize_t i = 0; i < poses.shape(0); ++i, pose += 3, value += m) {
+                        const Vector<double, 3> at(pose[0], pose[1], pose[2]);
+                        const auto h = core.linearize(at);
+                        std::copy_n(h.value.data(), m, value);
+                    }
+                    return values;
+                });
+            },
+            py::arg("poses"), "h(x) of many poses at once: (n, m) for (n, 3).")
         .def(
             "minus",
             [](const MarkerModel& model, const Eigen::VectorXd& z,

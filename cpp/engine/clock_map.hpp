@@ -33,8 +33,23 @@ class ClockMap {
         return utime + offset_us_;
     }
 
-    /// The newest offset [us]; 0 before the first message.
+    /// Smallest receive - utime of the last minute [us]; 0 before the first message.
     [[nodiscard]] std::int64_t offset_us() const noexcept { return offset_us_; }
+
+    /// By how much the sender's clock runs slow [parts per million], from the smallest offsets of
+    /// seconds at least half a minute apart; NaN before.
+    [[nodiscard]] double skew_ppm() const noexcept {
+        const Bucket *oldest = nullptr, *newest = nullptr;
+        for (const Bucket& b : buckets_) {
+            if (b.second == Bucket{}.second) continue;
+            if (oldest == nullptr || b.second < oldest->second) oldest = &b;
+            if (newest == nullptr || b.second > newest->second) newest = &b;
+        }
+        if (oldest == nullptr || newest->second - oldest->second < kSeconds / 2)
+            return std::numeric_limits<double>::quiet_NaN();
+        return static_cast<double>(newest->smallest - oldest->smallest) /
+               static_cast<double>(newest->second - oldest->second);
+    }
 
    private:
     static constexpr std::int64_t kSeconds = 60;

@@ -32,6 +32,18 @@ struct OutputParams {
     std::string pose = "POSE";
     std::string report = "MARKER_REPORT";
     std::string status = "STATUS";
+    std::string odometry = "ODOMETRY";
+    std::string jump = "POSE_JUMP";
+    double rate_hz = 0;      ///< of poses; 0: one at every motion sample
+    double jump_m = 0.3;     ///< a correction beyond this is announced
+    double jump_rad = 0.15;  ///< likewise
+};
+
+/// When a pose_reset_t is obeyed.
+enum class ResetPolicy : unsigned char {
+    always,
+    not_ok,  ///< while the status is not OK
+    never,
 };
 
 struct Config {
@@ -40,7 +52,9 @@ struct Config {
     InputParams velocity{"VELOCITY"};
     InputParams gyro{"GYRO"};
     InputParams reset{"POSE_RESET"};
+    ResetPolicy reset_policy = ResetPolicy::always;
     OutputParams output;
+    double checkpoint_interval_s = 5;
     std::vector<std::string> sensor_names;
     std::vector<InputParams> sensor_inputs;
     MarkerMap map;

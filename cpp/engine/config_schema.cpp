@@ -179,6 +179,8 @@ std::vector<Field> fields(Config& c) {
     add_input(list, "velocity.", c.velocity);
     add_input(list, "gyro.", c.gyro);
     add_input(list, "pose_reset.", c.reset);
+    add("pose_reset.accept", choice(c.reset_policy, {"always", "not_ok", "never"}), Range::any,
+        "when a pose_reset_t is obeyed; not_ok: while the status is not OK");
     add("noise.wheel_m_per_sqrt_m", &p.noise.wheel_m_per_sqrt_m, Range::not_negative,
         "travel of each wheel");
     add("noise.gyro_rad_per_sqrt_s", &p.noise.gyro_rad_per_sqrt_s, Range::not_negative,
@@ -211,12 +213,27 @@ std::vector<Field> fields(Config& c) {
     add("status.alert_limit_m", &p.status.alert_limit_m, Range::positive,
         "OK promises a 95 % radius below this");
     add("status.dead_reckoning_after_s", &p.status.dead_reckoning_after_s, Range::positive,
-        "without an accepted sighting for this long, OK ends");
+        "without a sighting that agrees for this long, OK ends");
+    add("status.lost_limit_m", &p.status.lost_limit_m, Range::positive,
+        "LOST where the 95 % radius is above this");
+    add("status.lost_after_s", &p.status.lost_after_s, Range::positive,
+        "LOST where no motion came for this long");
     add("history.window_s", &p.history.window_s, Range::not_negative, "later samples are rejected");
     add("history.capacity", &p.history.capacity, Range::positive, "samples held at most");
     add("output.pose", &c.output.pose, Range::any, "LCM channel of pose_t");
     add("output.report", &c.output.report, Range::any, "LCM channel of marker_report_t");
     add("output.status", &c.output.status, Range::any, "LCM channel of status_t");
+    add("output.odometry", &c.output.odometry, Range::any,
+        "LCM channel of odometry_t: dead reckoning alone, without jumps");
+    add("output.jump", &c.output.jump, Range::any, "LCM channel of pose_jump_t");
+    add("output.rate_hz", &c.output.rate_hz, Range::not_negative,
+        "poses a second, predicted to now; 0: a pose at every motion sample");
+    add("output.jump_m", &c.output.jump_m, Range::positive,
+        "a correction of the position beyond this is counted and announced");
+    add("output.jump_rad", &c.output.jump_rad, Range::positive,
+        "a correction of the heading beyond this likewise");
+    add("checkpoint.interval_s", &c.checkpoint_interval_s, Range::positive,
+        "between checkpoints, where the node is given a file for them");
     return list;
 }
 
@@ -307,8 +324,11 @@ void check(const Config& config, const std::string& where) {
         if (shared.insert(channel).second) take("sensors." + config.sensor_names[i], channel);
     }
     const OutputParams& out = config.output;
-    for (const auto& [name, channel] :
-         {std::pair{"pose", out.pose}, {"report", out.report}, {"status", out.status}})
+    for (const auto& [name, channel] : {std::pair{"pose", out.pose},
+                                        {"report", out.report},
+                                        {"status", out.status},
+                                        {"odometry", out.odometry},
+                                        {"jump", out.jump}})
         if (channels.count(channel) != 0)
             fail(where, std::string("output.") + name + " '" + channel + "' is an input's channel");
 }

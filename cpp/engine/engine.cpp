@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <stdexcept>
 #include <utility>
+
+#include "config_file.hpp"
+#include "explain.hpp"
+#include "words.hpp"
 
 #ifndef PILOTAGE_VERSION
 #error "the build defines PILOTAGE_VERSION"
@@ -13,19 +17,10 @@ namespace pilotage {
 
 namespace {
 
-std::string hex(std::int64_t fingerprint) {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(fingerprint));
-    return text;
-}
+constexpr std::int64_t kSecond = 1'000'000;
 
-/// A name from outside as it may stand in a line for a person.
-std::string printable(std::string name) {
-    constexpr std::size_t enough = 60;
-    if (name.size() > enough) name = name.substr(0, enough) + "...";
-    for (char& c : name)
-        if (c < ' ' || c > '~') c = '?';
-    return name;
+[[noreturn]] void fail(const char* what) {
+    throw std::runtime_error(what);
 }
 
 using AnyLocalizer =
@@ -40,7 +35,12 @@ AnyLocalizer make_localizer(const Config& config, Listener& listener) {
 }  // namespace
 
 Engine::Engine(Config config, EngineOutput& output)
-    : config_(std::move(config)), output_(&output), localizer_(make_localizer(config_, *this)) {
+    : config_(std::move(config)),
+      output_(&output),
+      localizer_(make_localizer(config_, *this)),
+      pose_output_(config_.params.motion.slip_angle_rad, config_.output.jump_m,
+                   config_.output.jump_rad),
+      publisher_(config_, output) {
     for (std::size_t i = 0; i < config_.sensor_names.size(); ++i)
         inputs_.emplace_back(config_.sensor_names[i], config_.sensor_inputs[i], Kind::frame,
                              static_cast<int>(i));
@@ -55,9 +55,19 @@ Engine::Engine(Config config, EngineOutput& output)
     inputs_.emplace_back("pose_reset", config_.reset, Kind::reset);
 }
 
+void Engine::restore(const Bytes& checkpoint) {
+    const checkpoint_t message = unpack(checkpoint);
+    if (message.map_hash != hash_of(to_yaml(config_.map))) fail("belongs to another map");
+    Checkpoint from = checkpoint_of(message);
+    if (message.config_hash != hash_of(to_yaml(config_)))
+        from.states = 0;  // its calibration may mean something else
+    if (!std::visit([&](auto& localizer) { return localizer.restore(from); }, localizer_))
+        fail("holds no pose");
+}
+
 void Engine::handle(std::string_view channel, std::int64_t received, const std::uint8_t* data,
                     std::size_t size) {
-    now_ = std::max(now_, received);
+    now_ = received;
     const std::int64_t fingerprint = fingerprint_of(data, size);
     const Codec* codec = find_codec(fingerprint);
     decoded_.samples.clear();
@@ -67,33 +77,68 @@ void Engine::handle(std::string_view channel, std::int64_t received, const std::
         return;
     }
     Input* input = input_for(channel, whole && codec->kind == Kind::frame ? &decoded_ : nullptr);
-    if (input == nullptr) return;
-    if (codec == nullptr || codec->kind != input->kind())
-        return wrong_type(*input, fingerprint, codec);
-    if (!whole) {
-        input->fault(MessageFault::malformed);
-        notice_once("malformed " + input->channel(),
-                    input->channel() + ": a broken " + codec->type + " of " + std::to_string(size) +
-                        " bytes (this and later ones are counted in the status)");
-        return;
-    }
-    if (input->kind() == Kind::frame && input->name() != decoded_.sensor) {
-        input->fault(MessageFault::unknown_sensor);
-        const std::string sensor = printable(decoded_.sensor);
-        notice_once("sensor " + sensor,
-                    input->channel() + ": a frame of sensor '" + sensor +
-                        "', which the configuration does not name; add sensors." + sensor);
-        return;
-    }
+    if (input == nullptr || !acceptable(*input, codec, whole, fingerprint, size)) return;
     input->received(received, decoded_.seq, decoded_.samples.size());
-    const std::int64_t time = input->date(decoded_.utime, received);
+    const Input::Date date = input->date(decoded_.utime, decoded_.seq, received);
+    if (input->kind() == Kind::reset) reset_seq_ = decoded_.seq;
+    if (input == &inputs_[motion_] && date.good) follow_clock(date.utime, received);
     bool moved = false;
-    for (Sample& sample : decoded_.samples) {
-        sample.utime = time;
-        if (input->sensor() >= 0) sample.source = static_cast<std::uint8_t>(input->sensor());
-        moved |= std::visit([&](auto& localizer) { return localizer.add(sample); }, localizer_);
+    for (Sample& sample : decoded_.samples) moved |= take(*input, sample, date);
+    if (moved) publish_moved();
+    publish_due();
+}
+
+/// Whether the message is one that the input is for. If not, it is counted and named.
+bool Engine::acceptable(Input& input, const Codec* codec, bool whole, std::int64_t fingerprint,
+                        std::size_t size) {
+    const std::string& channel = input.channel();
+    if (codec == nullptr || codec->kind != input.kind()) {
+        input.fault(MessageFault::wrong_type);
+        complain("type on " + channel,
+                 wrong_type(channel, expected_type(input.kind()),
+                            codec != nullptr ? codec->type : "an unknown type", fingerprint));
+        return false;
     }
-    if (moved) publish_pose();
+    if (!whole) {
+        input.fault(MessageFault::malformed);
+        complain("form on " + channel,
+                 channel + ": a broken " + codec->type + " of " + std::to_string(size) + " bytes");
+        return false;
+    }
+    if (input.kind() == Kind::frame && input.name() != decoded_.sensor) {
+        input.fault(MessageFault::unknown_sensor);
+        complain("sensor on " + channel, unknown_sensor(channel, decoded_.sensor));
+        return false;
+    }
+    return true;
+}
+
+/// Gives a sample to the localizer, unless its stamp or the configuration speaks against it.
+bool Engine::take(Input& input, Sample& sample, const Input::Date& date) {
+    sample.utime = date.utime;
+    if (input.sensor() >= 0) sample.source = static_cast<std::uint8_t>(input.sensor());
+    Verdict verdict = Verdict::pending;
+    if (!date.good) verdict = Verdict::clock;
+    if (sample.stream == Stream::reset &&
+        (config_.reset_policy == ResetPolicy::never ||
+         (config_.reset_policy == ResetPolicy::not_ok && status_ == Status::ok)))
+        verdict = Verdict::not_allowed;
+    return std::visit(
+        [&](auto& localizer) {
+            return verdict == Verdict::pending ? localizer.add(sample)
+                                               : localizer.refuse(sample, verdict);
+        },
+        localizer_);
+}
+
+/// Where the clock that dates motion was set, time goes on from there.
+void Engine::follow_clock(std::int64_t utime, std::int64_t received) {
+    constexpr std::int64_t slack = kSecond / 4;
+    const std::int64_t last = estimate().utime, passed = received - moved_;
+    const bool set = inputs_[motion_].clock_was_set();
+    moved_ = received;
+    if (!set || std::abs(utime - passed - last) <= slack) return;
+    std::visit([&](auto& localizer) { localizer.set_time(utime - passed); }, localizer_);
 }
 
 /// The input of a channel; where several sensors share one, the one that the frame names, else the
@@ -109,16 +154,6 @@ Input* Engine::input_for(std::string_view channel, const Decoded* frame) noexcep
     return found;
 }
 
-void Engine::wrong_type(Input& input, std::int64_t fingerprint, const Codec* codec) {
-    input.fault(MessageFault::wrong_type);
-    notice_once(
-        "type " + input.channel(),
-        input.channel() + ": expected " + expected_type(input.kind()) + ", got " +
-            (codec != nullptr ? codec->type : "an unknown type") + " with fingerprint " +
-            hex(fingerprint) +
-            "; is this the right channel, and is the sender built with the same .lcm files?");
-}
-
 void Engine::on_verdict(const Sample& sample, Verdict before, Verdict now) {
     switch (sample.stream) {
         case Stream::sighting:
@@ -128,68 +163,105 @@ void Engine::on_verdict(const Sample& sample, Verdict before, Verdict now) {
         case Stream::gyro:
             return inputs_[gyro_].judged(before, now);
         case Stream::reset:
+            if (sample.seq == reset_seq_)
+                reset_answer_ = now == Verdict::fused ? "accepted" : name(now);
             return inputs_[reset_].judged(before, now);
     }
 }
 
 void Engine::on_sighting(const SightingReport& report) {
-    output_->sighting(report);
-    report_.utime = report.utime;
-    report_.seq = reports_++;
-    report_.revision = report.revision;
-    report_.sensor = config_.sensor_names[report.sensor];
-    report_.frame_seq = report.frame_seq;
-    report_.index = report.index;
-    report_.id = report.id;
-    std::copy_n(report.innovation, 3, report_.innovation);
-    std::copy_n(report.sigma, 3, report_.sigma);
-    report_.nis = report.nis;
-    report_.dof = report.dof;
-    report_.weight = report.weight;
-    report_.accepted = report.verdict == Verdict::fused;
-    report_.reason = report_.accepted ? "" : name(report.verdict);
-    report_.value = report.value;
-    report_.limit = report.limit;
-    report_.unit = unit(report.verdict);
-    publish(config_.output.report, report_);
+    if (report.revision == 0) inputs_[report.sensor].reported(report);
+    publisher_.report(report);
 }
 
-void Engine::publish_pose() {
+/// The newest motion sample is a newer one than before.
+void Engine::publish_moved() {
     const Estimate e = estimate();
-    output_->pose(e);
-    pose_.utime = e.utime;
-    pose_.seq = poses_++;
-    pose_.x = e.pose[kX];
-    pose_.y = e.pose[kY];
-    pose_.heading = e.pose[kHeading];
-    std::copy_n(e.covariance.data(), 9, pose_.covariance);
-    pose_.v = e.v_m_s;
-    pose_.omega = e.omega_rad_s;
-    pose_.status = static_cast<std::int8_t>(e.status);
-    pose_.resets = e.resets;
-    publish(config_.output.pose, pose_);
+    const std::optional<Jump> jump = pose_output_.follow(e);
+    if (e.disagreement_rad != 0) motion_problem_ = explain(e.motion, e.disagreement_rad);
+    if (config_.output.rate_hz == 0) publisher_.pose(e, pose_output_.resets());
+    publisher_.odometry(e, pose_output_.odometry());
+    if (jump) publisher_.jump(*jump, e.utime, pose_output_.resets());
+}
+
+/// Poses at a rate of their own, as far as time has passed.
+void Engine::publish_due() {
+    if (config_.output.rate_hz == 0 || !started()) return;
+    const auto period = static_cast<std::int64_t>(kSecond / config_.output.rate_hz);
+    const std::int64_t now = inputs_[motion_].now(now_);
+    if (std::abs(now - next_pose_) > kSecond) next_pose_ = now;  // the start, or a clock was set
+    for (; next_pose_ <= now; next_pose_ += period)
+        publisher_.pose(estimate(next_pose_), pose_output_.resets());
 }
 
 void Engine::tick(std::int64_t now, std::int64_t drops) {
-    now_ = std::max(now_, now);
-    const Estimate e = estimate();
-    if (e.status != status_ || statuses_ == 0) since_ = now_;
-    status_ = e.status;
+    now_ = now;
+    publish_due();
+    if (tick_period() < kSecond && std::abs(now - status_made_) < kSecond - tick_period() / 2)
+        return;
+    status_made_ = now;
+    review_inputs();
+    publish_status(drops);
+    const auto interval = static_cast<std::int64_t>(config_.checkpoint_interval_s * kSecond);
+    if (std::abs(now - checkpoint_made_) >= interval) make_checkpoint();
+    journal_.flush(now_, [&](const std::string& line) { output_->notice(line); });
+}
+
+std::int64_t Engine::tick_period() const noexcept {
+    const double rate_hz = config_.output.rate_hz;
+    return rate_hz > 1 ? static_cast<std::int64_t>(kSecond / rate_hz) : kSecond;
+}
+
+void Engine::review_inputs() {
+    for (Input& input : inputs_) {
+        const std::string before = input.problem();
+        const std::string& now = input.review(now_, needed(input));
+        if (before.empty() != now.empty())
+            tell(input.name(), input.name() + " (" + input.channel() +
+                                   "): " + (now.empty() ? "well again" : now));
+    }
+}
+
+void Engine::publish_status(std::int64_t drops) {
+    const Estimate e = estimate(inputs_[motion_].now(now_));
+    const Status state = e.status;
     status_t message;
+    message.reason = reason(e);
+    if (since_ == 0) since_ = now_;
+    if (state != status_) {
+        since_ = now_;
+        tell("state", std::string("state ") + name(state) +
+                          (message.reason.empty() ? "" : ": " + message.reason));
+    }
+    status_ = state;
     message.utime = now_;
-    message.seq = statuses_++;
-    message.state = static_cast<std::int8_t>(e.status);
-    message.reason = waiting_for();
+    message.state = static_cast<std::int8_t>(state);
     message.since = since_;
-    message.motion = "driving";
-    message.resets = e.resets;
-    message.reset_seq = -1;
-    message.checkpoint_age_s = NAN;
+    message.motion = name(e.motion);
+    message.resets = pose_output_.resets();
+    message.reset_seq = reset_seq_;
+    message.reset_answer = reset_answer_;
+    message.checkpoint_age_s =
+        checkpoints_ > 0 ? static_cast<double>(now_ - checkpoint_made_) * 1e-6 : NAN;
     message.drops = drops;
     message.version = PILOTAGE_VERSION;
     message.n_inputs = static_cast<std::int32_t>(inputs_.size());
     for (const Input& input : inputs_) message.inputs.push_back(input.status(now_));
-    publish(config_.output.status, message);
+    publisher_.status(message);
+    motion_problem_.clear();
+}
+
+void Engine::make_checkpoint() {
+    const Status status = estimate().status;
+    if (status != Status::ok && status != Status::dead_reckoning) return;
+    checkpoint_t message;
+    fill(message, std::visit([](const auto& l) { return l.checkpoint(); }, localizer_));
+    message.seq = checkpoints_++;
+    message.made = checkpoint_made_ = now_;
+    message.version = PILOTAGE_VERSION;
+    message.config_hash = hash_of(to_yaml(config_));
+    message.map_hash = hash_of(to_yaml(config_.map));
+    output_->checkpoint(pack(message));
 }
 
 void Engine::finish() {
@@ -200,10 +272,24 @@ Estimate Engine::estimate() const {
     return std::visit([](const auto& localizer) { return localizer.estimate(); }, localizer_);
 }
 
+Estimate Engine::estimate(std::int64_t utime) const {
+    return std::visit([&](const auto& localizer) { return localizer.estimate(utime); }, localizer_);
+}
+
+bool Engine::started() const {
+    return std::visit([](const auto& localizer) { return localizer.started(); }, localizer_);
+}
+
 std::set<std::string> Engine::channels() const {
     std::set<std::string> names;
     for (const Input& input : inputs_) names.insert(input.channel());
     return names;
+}
+
+/// Whether the estimate suffers when this input is silent.
+bool Engine::needed(const Input& input) const noexcept {
+    if (&input == &inputs_[gyro_]) return config_.params.motion.heading != HeadingSource::wheels;
+    return &input != &inputs_[reset_];
 }
 
 std::string Engine::waiting_for() const {
@@ -211,31 +297,42 @@ std::string Engine::waiting_for() const {
     const auto want = [&](const std::string& what) {
         missing += (missing.empty() ? "" : ", ") + what;
     };
-    const auto input_want = [&](const Input& input) {
-        if (!input.seen())
-            want(std::string(expected_type(input.kind())) + " on " + input.channel());
-    };
     const bool has_pose =
         std::visit([](const auto& localizer) { return localizer.has_pose(); }, localizer_);
     if (!has_pose)
         want("a start pose (pose_reset_t on " + config_.reset.channel +
              ", or initial: in the configuration)");
+    const auto input_want = [&](const Input& input) {
+        if (needed(input) && !input.seen())
+            want(std::string(expected_type(input.kind())) + " on " + input.channel());
+    };
     input_want(inputs_[motion_]);
-    if (config_.params.motion.heading != HeadingSource::wheels) input_want(inputs_[gyro_]);
+    input_want(inputs_[gyro_]);
     for (std::size_t i = 0; i < config_.sensor_names.size(); ++i) input_want(inputs_[i]);
     return missing;
 }
 
-/// Says a line unless the same was said before; a peer that invents names does not fill the memory.
-void Engine::notice_once(const std::string& what, const std::string& text) {
-    constexpr std::size_t enough = 100;
-    if (said_.size() < enough && said_.insert(what).second) output_->notice(text);
+/// Why the state is not OK, or what is still missing.
+std::string Engine::reason(const Assessment& assessment) const {
+    std::string text = explain(assessment);
+    const auto add = [&](const std::string& more) {
+        if (!more.empty()) text += (text.empty() ? "" : "; ") + more;
+    };
+    if (const std::string missing = waiting_for(); !missing.empty()) add("waiting for " + missing);
+    add(motion_problem_);
+    for (const Input& input : inputs_)
+        if (!input.problem().empty()) add(input.name() + ": " + input.problem());
+    return text;
 }
 
-template <typename Message>
-void Engine::publish(const std::string& channel, const Message& message) {
-    encode(message, buffer_);
-    output_->message(channel, buffer_.data(), buffer_.size());
+/// Of a bad message: there may be many like it.
+void Engine::complain(const std::string& subject, const std::string& line) {
+    journal_.note(subject, line, 1, now_, [&](const std::string& said) { output_->notice(said); });
+}
+
+/// Of a change: one may follow upon another.
+void Engine::tell(const std::string& subject, const std::string& line) {
+    journal_.note(subject, line, 6, now_, [&](const std::string& said) { output_->notice(said); });
 }
 
 }  // namespace pilotage

@@ -12,33 +12,20 @@
 #include <variant>
 #include <vector>
 
+#include "checkpoint_file.hpp"
 #include "config.hpp"
+#include "engine_output.hpp"
 #include "input.hpp"
+#include "journal.hpp"
 #include "pilotage/localizer.hpp"
-#include "pilotage/marker_report_t.hpp"
-#include "pilotage/pose_t.hpp"
-#include "pilotage/status_t.hpp"
+#include "pose_output.hpp"
+#include "publisher.hpp"
 
 namespace pilotage {
 
 /// Channels that belong to recordings, not to the robot.
 inline constexpr const char* kTickChannel = "PILOTAGE_TICK";
 inline constexpr const char* kSetupChannel = "PILOTAGE_SETUP";
-
-/// Where the engine's results go; each call may be ignored.
-class EngineOutput {
-   public:
-    /// A message to publish.
-    virtual void message(const std::string& /*channel*/, const std::uint8_t* /*data*/,
-                         std::size_t /*size*/) {}
-    virtual void pose(const Estimate&) {}
-    virtual void sighting(const SightingReport&) {}
-    /// A line for a person: said once, not once a message.
-    virtual void notice(const std::string&) {}
-
-   protected:
-    ~EngineOutput() = default;
-};
 
 class Engine final : private Listener {
    public:
@@ -47,19 +34,33 @@ class Engine final : private Listener {
     Engine(const Engine&) = delete;
     Engine& operator=(const Engine&) = delete;
 
+    /// Begins with the pose of a checkpoint, as a hypothesis. To be called before anything else.
+    /// \throws std::runtime_error saying why the checkpoint cannot be used; nothing has changed
+    /// then
+    void restore(const Bytes& checkpoint);
+
     /// Takes a message. Anything may come: what cannot be used is counted.
     /// \param received time of arrival [us]
     void handle(std::string_view channel, std::int64_t received, const std::uint8_t* data,
                 std::size_t size);
 
-    /// Time passes [us, receive clock]; publishes the status.
+    /// Time passes [us, receive clock]. Publishes the status once a second, and poses where they
+    /// have a rate of their own.
     /// \param drops datagrams that the kernel dropped so far
     void tick(std::int64_t now, std::int64_t drops);
 
     /// The input has ended: gives what still waits its verdict.
     void finish();
 
+    /// Makes a checkpoint, unless the pose is none to begin with.
+    void make_checkpoint();
+
+    /// At the newest motion sample.
     [[nodiscard]] Estimate estimate() const;
+    /// Predicted to a time of samples [us].
+    [[nodiscard]] Estimate estimate(std::int64_t utime) const;
+    /// As tick() wants to be called [us].
+    [[nodiscard]] std::int64_t tick_period() const noexcept;
     [[nodiscard]] const Config& config() const noexcept { return config_; }
     [[nodiscard]] const std::vector<Input>& inputs() const noexcept { return inputs_; }
     /// The channels to subscribe to.
@@ -72,26 +73,37 @@ class Engine final : private Listener {
     void on_sighting(const SightingReport& report) override;
 
     [[nodiscard]] Input* input_for(std::string_view channel, const Decoded* message) noexcept;
-    void wrong_type(Input& input, std::int64_t fingerprint, const Codec* codec);
-    void publish_pose();
-    void notice_once(const std::string& what, const std::string& text);
-    template <typename Message>
-    void publish(const std::string& channel, const Message& message);
+    [[nodiscard]] bool acceptable(Input& input, const Codec* codec, bool whole,
+                                  std::int64_t fingerprint, std::size_t size);
+    [[nodiscard]] bool take(Input& input, Sample& sample, const Input::Date& date);
+    void follow_clock(std::int64_t utime, std::int64_t received);
+    void publish_moved();
+    void publish_due();
+    void publish_status(std::int64_t drops);
+    void review_inputs();
+    [[nodiscard]] bool started() const;
+    [[nodiscard]] bool needed(const Input& input) const noexcept;
+    [[nodiscard]] std::string reason(const Assessment& assessment) const;
+    void complain(const std::string& subject, const std::string& line);
+    void tell(const std::string& subject, const std::string& line);
 
     Config config_;
     EngineOutput* output_;
     std::variant<Localizer<double, kPoseStates>, Localizer<double, kCalibratedStates>> localizer_;
+    PoseOutput pose_output_;
+    Publisher publisher_;
+    Journal journal_;
     std::vector<Input> inputs_;  // sensors first, by their number; then motion, gyro, reset
     std::size_t motion_, gyro_, reset_;
-
     Decoded decoded_;
-    pose_t pose_;
-    marker_report_t report_;
-    std::vector<std::uint8_t> buffer_;
-    std::set<std::string> said_;
-    std::int32_t poses_ = 0, reports_ = 0, statuses_ = 0;
-    std::int64_t now_ = 0, since_ = 0;
+
+    // Receive clock [us].
+    std::int64_t now_ = 0, moved_ = 0, since_ = 0, status_made_ = 0, checkpoint_made_ = 0;
+    std::int64_t next_pose_ = 0;  // sample time
     Status status_ = Status::waiting;
+    std::int32_t checkpoints_ = 0, reset_seq_ = -1;
+    std::string reset_answer_;
+    std::string motion_problem_;  // since the last status
 };
 
 }  // namespace pilotage

@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "pilotage/setup_t.hpp"
 #include "text_table.hpp"
 
 namespace pilotage {
@@ -15,7 +16,20 @@ Run::Run(Config config, bool keep_messages)
 void Run::handle(const LogEvent& event) {
     ++messages_;
     received_ = event.received;
+    if (event.channel == kSetupChannel) return restore(event);
     engine_.handle(event.channel, event.received, event.data, event.size);
+}
+
+/// Begins as the recorded run began.
+void Run::restore(const LogEvent& event) {
+    setup_t setup;
+    if (setup.decode(event.data, 0, static_cast<int>(event.size)) < 0 || setup.n_checkpoint == 0)
+        return;
+    try {
+        engine_.restore(Bytes(setup.checkpoint.begin(), setup.checkpoint.end()));
+    } catch (const std::exception& error) {
+        notice(std::string("the recorded checkpoint ") + error.what());
+    }
 }
 
 void Run::replay(const Recording& recording, const Progress& progress) {
@@ -47,16 +61,16 @@ void Run::message(const std::string& channel, const std::uint8_t* data, std::siz
     if (keep_messages_) published_.add(received_, channel, data, size);
 }
 
-Run::PoseRow Run::row_of(const Estimate& e) noexcept {
+Run::PoseRow Run::row_of(const Estimate& e, std::int32_t resets) noexcept {
     PoseRow row{e.utime, e.pose[kX], e.pose[kY],    e.pose[kHeading],
                 {},      e.v_m_s,    e.omega_rad_s, static_cast<std::int8_t>(e.status),
-                e.resets};
+                resets};
     std::copy_n(e.covariance.data(), 9, &row.covariance[0][0]);
     return row;
 }
 
-void Run::pose(const Estimate& e) {
-    poses_.push_back(row_of(e));
+void Run::pose(const Estimate& e, std::int32_t resets) {
+    poses_.push_back(row_of(e, resets));
 }
 
 void Run::sighting(const SightingReport& report) {
@@ -80,10 +94,7 @@ std::vector<SightingReport> Run::final_reports() const {
             continue;
         }
         // What is refused at the door has no revisions; it may be a copy of a sighting that has.
-        const Verdict v = report.verdict;
-        const bool refused = v == Verdict::duplicate || v == Verdict::late ||
-                             v == Verdict::bad_value || v == Verdict::not_initialized;
-        if (!refused) at[key] = rows.size();
+        if (!refused_at_the_door(report.verdict)) at[key] = rows.size();
         rows.push_back(report);
     }
     return rows;

@@ -33,7 +33,7 @@ class Run final : private EngineOutput {
         std::int32_t resets;
     };
 
-    [[nodiscard]] static PoseRow row_of(const Estimate& e) noexcept;
+    [[nodiscard]] static PoseRow row_of(const Estimate& e, std::int32_t resets) noexcept;
 
     [[nodiscard]] const std::vector<PoseRow>& poses() const noexcept { return poses_; }
     /// The newest report of each sighting, in the order in which they were first made.
@@ -53,9 +53,10 @@ class Run final : private EngineOutput {
     static constexpr int kProgressEvery = 1 << 16;  // messages
 
     void handle(const LogEvent& event);
+    void restore(const LogEvent& event);
     void finish(const std::vector<std::string>& damage);
     void message(const std::string& channel, const std::uint8_t* data, std::size_t size) override;
-    void pose(const Estimate& e) override;
+    void pose(const Estimate& e, std::int32_t resets) override;
     void sighting(const SightingReport& report) override;
     void notice(const std::string& text) override;
 

@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
                         "    sudo ip route add 224.0.0.0/4 dev lo");
     int result = kDone;
     try {
-        Node node(config, lcm, options.record);
+        Node node(config, lcm, options);
         std::fprintf(stderr, "pilotage-node: %s, %zu markers, %s\n", options.config.c_str(),
                      config.map.markers().size(), url.c_str());
         if (!node.run(stop)) result = fail(kFailed, "LCM failed while waiting for messages");

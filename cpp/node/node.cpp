@@ -25,6 +25,10 @@ std::int64_t wall_clock() {
     return now.tv_sec * kSecond + now.tv_usec;
 }
 
+void say(const std::string& text) {
+    std::fprintf(stderr, "pilotage-node: %s\n", text.c_str());
+}
+
 /// LCM subscribes by regular expression, we by name.
 std::string literally(const std::string& channel) {
     std::string pattern;
@@ -37,17 +41,11 @@ std::string literally(const std::string& channel) {
 
 }  // namespace
 
-Node::Node(const Config& config, lcm_t* lcm, const std::string& record)
+Node::Node(const Config& config, lcm_t* lcm, const Options& options)
     : lcm_(lcm), engine_(config, *this) {
-    if (!record.empty()) {
-        log_ = std::make_unique<LogWriter>(record);
-        setup_t setup{};
-        setup.utime = wall_clock();
-        setup.version = PILOTAGE_VERSION;
-        setup.config = to_yaml(config);
-        setup.map = to_yaml(config.map);
-        this->record(setup.utime, kSetupChannel, setup);
-    }
+    Bytes checkpoint;
+    if (!options.checkpoint.empty()) checkpoint = restore(options.checkpoint);
+    if (!options.record.empty()) begin_recording(options.record, checkpoint);
     for (const std::string& channel : engine_.channels()) {
         lcm_subscription_t* subscription =
             lcm_subscribe(lcm_, literally(channel).c_str(), &Node::received, this);
@@ -57,13 +55,41 @@ Node::Node(const Config& config, lcm_t* lcm, const std::string& record)
     }
 }
 
+/// \return what the engine began with, for the recording
+Bytes Node::restore(const std::string& path) {
+    checkpoints_ = std::make_unique<FileKeeper>(
+        path, [](const std::string& error) { say(error + "; the checkpoint is not kept"); });
+    try {
+        Bytes bytes = read_bytes(path);
+        if (bytes.empty()) return {};
+        engine_.restore(bytes);
+        say("begins with the pose of " + path + "; sightings are to confirm it");
+        return bytes;
+    } catch (const std::exception& error) {
+        say("begins without a checkpoint, since " + path + " " + error.what());
+        return {};
+    }
+}
+
+void Node::begin_recording(const std::string& path, const Bytes& checkpoint) {
+    log_ = std::make_unique<LogWriter>(path);
+    setup_t setup{};
+    setup.utime = wall_clock();
+    setup.version = PILOTAGE_VERSION;
+    setup.config = to_yaml(engine_.config());
+    setup.map = to_yaml(engine_.config().map);
+    setup.n_checkpoint = static_cast<std::int32_t>(checkpoint.size());
+    setup.checkpoint.assign(checkpoint.begin(), checkpoint.end());
+    record(setup.utime, kSetupChannel, setup);
+}
+
 bool Node::run(const volatile std::sig_atomic_t& stop) {
     std::int64_t next_tick = wall_clock();
     while (!stop) {
         const std::int64_t now = wall_clock();
         if (now >= next_tick || next_tick - now > kSecond) {  // the second: the clock was set back
             tick(now);
-            next_tick = now + kSecond;
+            next_tick = now + engine_.tick_period();
         }
         const auto wait_ms = static_cast<int>((next_tick - now) / 1000 + 1);
         if (lcm_handle_timeout(lcm_, wait_ms) < 0 && !stop) return false;
@@ -106,7 +132,11 @@ void Node::message(const std::string& channel, const std::uint8_t* data, std::si
 }
 
 void Node::notice(const std::string& text) {
-    std::fprintf(stderr, "pilotage-node: %s\n", text.c_str());
+    say(text);
+}
+
+void Node::checkpoint(const Bytes& bytes) {
+    if (checkpoints_) checkpoints_->put(bytes);
 }
 
 void Node::record(std::int64_t received, std::string_view channel, const std::uint8_t* data,

@@ -8,8 +8,9 @@ namespace pilotage {
 
 struct Options {
     std::string config;
-    std::string lcm_url;  ///< empty: LCM's default
-    std::string record;   ///< empty: no recording
+    std::string lcm_url;     ///< empty: LCM's default
+    std::string record;      ///< empty: no recording
+    std::string checkpoint;  ///< empty: none is kept
 };
 
 /// Exit codes of the node.

@@ -114,7 +114,7 @@ class Recording:
     LCM messages in the order of their arrival, as a log file holds them.
     
     The `add_*` methods encode whole arrays. Stamps are integer microseconds; the time of arrival is the
-    stamp unless `received` is given. Call `sort` once everything is added.
+    stamp unless `received` is given, and seq counts from 0 unless `seq` is. Call `sort` once everything is added.
     """
     @staticmethod
     def load(path: str) -> Recording:
@@ -133,25 +133,33 @@ class Recording:
         """
         Any one encoded message.
         """
-    def add_encoders(self, channel: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], left: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], right: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None) -> None:
+    def add_encoders(self, channel: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], left: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], right: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None, seq: typing.Annotated[numpy.typing.ArrayLike, numpy.int32] | None = None) -> None:
         """
         encoders_t: (n,) int64 absolute ticks.
         """
-    def add_gyro(self, channel: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], rate: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None) -> None:
+    def add_gyro(self, channel: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], rate: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None, seq: typing.Annotated[numpy.typing.ArrayLike, numpy.int32] | None = None) -> None:
         """
         gyro_t: (n,) mean yaw rate since the previous sample [rad/s].
         """
-    def add_reference(self, channel: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], y: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], heading: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None) -> None:
+    def add_reference(self, channel: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], y: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], heading: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None, seq: typing.Annotated[numpy.typing.ArrayLike, numpy.int32] | None = None) -> None:
         """
         reference_t: (n,) truth [m, m, rad].
         """
-    def add_sightings(self, channel: str, sensor: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], id: typing.Annotated[numpy.typing.ArrayLike, numpy.int32], bearing: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], elevation: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], range: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None) -> None:
+    def add_sightings(self, channel: str, sensor: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], id: typing.Annotated[numpy.typing.ArrayLike, numpy.int32], bearing: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], elevation: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], range: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None, seq: typing.Annotated[numpy.typing.ArrayLike, numpy.int32] | None = None) -> None:
         """
-        marker_frame_t: (n,) each, NaN where not measured [rad, rad, m]; rows of equal utime that follow each other make one frame.
+        marker_frame_t: (n,) each, NaN where not measured [rad, rad, m]; rows that follow each other with equal utime, time of arrival and seq make one frame.
         """
-    def add_velocity(self, channel: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], v: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], omega: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None) -> None:
+    def add_ticks(self, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64]) -> None:
+        """
+        tick_t, as `pilotage-node` records them: (n,) times at which the status is due.
+        """
+    def add_velocity(self, channel: str, utime: typing.Annotated[numpy.typing.ArrayLike, numpy.int64], v: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], omega: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], received: typing.Annotated[numpy.typing.ArrayLike, numpy.int64] | None = None, seq: typing.Annotated[numpy.typing.ArrayLike, numpy.int32] | None = None) -> None:
         """
         velocity_t: (n,) means since the previous sample [m/s, rad/s].
+        """
+    def arrivals(self, channel: str) -> numpy.typing.NDArray[numpy.int64]:
+        """
+        (n,) times of arrival of a channel's messages, in order [us].
         """
     def messages(self, channel: str) -> list[bytes]:
         """
@@ -207,6 +215,14 @@ class ArcUnicycle:
         next : (n,) float, the state after the motion
         a : (n, n) float, by the state
         b : (3, m) float, the pose by the input
+        """
+    def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The poses (n + 1, 3) from x (3,) on, one step after the other, u (n, 2).
+        """
+    def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The poses (n, 3) one step from each of x (n, 3), u (n, 2).
         """
 class DifferentialDrive:
     """
@@ -288,6 +304,10 @@ class MarkerModel:
     def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         Measured less predicted, (m,) each; bearings wrap.
+        """
+    def predict(self, poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        h(x) of many poses at once: (n, m) for (n, 3).
         """
 class Policy:
     """

@@ -8,9 +8,8 @@ from pathlib import Path
 from time import monotonic, sleep
 from typing import Any
 
-import lcm
-
 from . import Config, Recording
+from .bus import connect
 
 URL = "udpm://239.255.76.67:7668?ttl=0&recv_buf_size=4194304"
 """Another port than LCM's own: what is only tried out must not reach a robot that runs here."""
@@ -60,7 +59,7 @@ def send(
     RuntimeError
         If the node stops answering.
     """
-    bus = lcm.LCM(url)
+    bus = connect(url)
     poses: list[bytes] = []
     subscription = bus.subscribe(config["output.pose"], lambda _, data: poses.append(data))
     subscription.set_queue_capacity(0)
@@ -92,7 +91,7 @@ def play(
     url: str | None = None,
 ) -> None:
     """Send a recording with the pauses that it was recorded with, `speed` times as fast."""
-    bus = lcm.LCM(url) if url else lcm.LCM()
+    bus = connect(url)
     start, first = monotonic(), recording[0][0]
     for i in range(len(recording)):
         received, channel, data = recording[i]

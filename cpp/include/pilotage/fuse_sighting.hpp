@@ -37,6 +37,7 @@ namespace pilotage {
             sample.index,
             sample.source,
             verdict,
+            false,
             dof,
             {nan, nan, nan},
             {nan, nan, nan},
@@ -101,6 +102,7 @@ void fuse_components(Ekf<Scalar, N>& filter, const Marker& marker, const Sightin
         report.sigma[which[i]] = std::sqrt(double(update.s(i, i)));
     });
     report.nis = double(update.nis);
+    report.agrees = report.nis <= policy.gate_nis[M - 1];
     report.weight = double(update.weight);
     switch (update.fault) {
         case UpdateFault::none:

@@ -4,36 +4,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
-#include "pilotage/dead_reckoning.hpp"
-#include "pilotage/filter/ekf.hpp"
-#include "pilotage/fuse_sighting.hpp"
 #include "pilotage/history.hpp"
-#include "pilotage/marker_map.hpp"
-#include "pilotage/motion/odometer.hpp"
-#include "pilotage/params.hpp"
-#include "pilotage/samples.hpp"
-#include "pilotage/verdict.hpp"
+#include "pilotage/track.hpp"
 
 namespace pilotage {
 
-/// What the status promises; the values are status_t's.
-enum class Status : std::int8_t {
-    waiting = 0,         ///< for a pose or for motion
-    initializing = 1,    ///< a pose is assumed, no sighting has confirmed it
-    ok = 2,              ///< the error is inside the covariance, and that is below the alert limit
-    dead_reckoning = 3,  ///< no sighting for a while, or less sure than the alert limit asks
-    ambiguous = 4,
-    lost = 5,
-};
-
-/// The pose at the newest motion sample.
-struct Estimate {
+/// The pose at the newest motion sample, or predicted from there, and how far to trust it.
+struct Estimate : Assessment {
     std::int64_t utime = 0;
     Pose<double> pose = Pose<double>::Zero();
     Matrix<double, 3> covariance = Matrix<double, 3>::Zero();
     double v_m_s = 0, omega_rad_s = 0;
-    Status status = Status::waiting;
+    Vector<double, 2> driven = {0, 0};  ///< (distance [m], turn [rad]) of the newest motion sample
+    MotionState motion = MotionState::driving;
+    double disagreement_rad = 0;  ///< of wheels less gyro, over the latest half second; 0 if small
     std::int32_t resets = 0;
 };
 
@@ -65,31 +51,39 @@ class Localizer {
     /// estimate
     bool add(const Sample& sample) noexcept;
 
+    /// Turns a sample away for a reason from outside. \return false
+    bool refuse(const Sample& sample, Verdict verdict) noexcept {
+        return refuse(sample, verdict, std::numeric_limits<double>::quiet_NaN(),
+                      std::numeric_limits<double>::quiet_NaN());
+    }
+
     /// No more motion will come: what still waits for it is rejected as no_motion.
     void finish() noexcept;
+
+    /// The clock that dates motion was set: the newest motion sample counts as taken at `utime`.
+    /// What is older can no longer change, what waits is rejected as no_motion.
+    void set_time(std::int64_t utime) noexcept;
 
     /// False until a pose is configured or set.
     [[nodiscard]] bool has_pose() const noexcept { return initialized_; }
     /// False until a pose is known and the first motion sample has come.
     [[nodiscard]] bool started() const noexcept { return initialized_ && newest().started; }
+
+    /// The estimate at the newest motion sample.
     [[nodiscard]] Estimate estimate() const noexcept;
+    /// The estimate at `utime`, predicted if that is later than the newest motion sample.
+    [[nodiscard]] Estimate estimate(std::int64_t utime) const noexcept;
 
     /// State and covariance at the newest motion sample (StateIndex order).
     [[nodiscard]] const Ekf<Scalar, N>& filter() const noexcept { return newest().filter; }
 
+    [[nodiscard]] Checkpoint checkpoint() const noexcept { return tracker_.checkpoint(newest()); }
+    /// \pre no sample has been added
+    /// \return false, and nothing has changed, if the checkpoint is no state of a filter
+    [[nodiscard]] bool restore(const Checkpoint& from) noexcept;
+
    private:
-    /// All that decides the future, at one moment.
-    struct Track {
-        Ekf<Scalar, N> filter;
-        GyroIntegral gyro;
-        TickCounter ticks;
-        std::int64_t utime = 0;
-        std::int64_t last_fix_utime = 0;
-        Increment<Scalar> motion;  // of the last motion sample
-        std::int32_t resets = 0;
-        bool started = false;    // a motion sample has come
-        bool confirmed = false;  // a sighting has been accepted
-    };
+    using Track = pilotage::Track<Scalar, N>;
 
     /// A sample, what became of it, and for a motion sample the track after it.
     struct Node {
@@ -100,7 +94,6 @@ class Localizer {
     };
 
     // Intake.
-    [[nodiscard]] Verdict examine(const Sample& sample) const noexcept;
     bool insert(const Sample& sample) noexcept;
     bool refuse(const Sample& sample, Verdict verdict, double value, double limit) noexcept;
     void forget_before(std::int64_t horizon) noexcept;
@@ -110,7 +103,7 @@ class Localizer {
     // Computing again from a place in the history.
     void recompute(std::size_t place) noexcept;
     void advance(Track& track, std::size_t from, std::size_t to) noexcept;
-    [[nodiscard]] Increment<Scalar> measured_motion(Track& track, Node& motion) noexcept;
+    void begin(Track& track, std::size_t from, std::size_t to) noexcept;
     void correct(Track& track, Node& node) noexcept;
     void dismiss(Node& node, Verdict verdict) noexcept;
     void settle(Node& node, Verdict verdict) noexcept;
@@ -118,12 +111,10 @@ class Localizer {
     [[nodiscard]] std::size_t motion_before(std::size_t place) const noexcept;
     [[nodiscard]] std::size_t first_motion() const noexcept;
     [[nodiscard]] const Track& newest() const noexcept;
-    [[nodiscard]] Status status(const Track& track) const noexcept;
+    [[nodiscard]] Estimate describe(const Track& track, double silent_s) const noexcept;
 
-    Params params_;
-    MarkerMap map_;
+    Tracker<Scalar, N> tracker_;
     Listener* listener_;
-    Policy policies_[Params::kMaxSensors];
     History<Node> history_;
     Track base_;  // what came before the first sample of the history
     bool initialized_ = false;

@@ -82,7 +82,9 @@ struct InitialParams {
 
 struct StatusParams {
     double alert_limit_m = 1.0;         ///< OK promises a 95 % radius below this
-    double dead_reckoning_after_s = 5;  ///< without an accepted sighting
+    double dead_reckoning_after_s = 5;  ///< without a sighting that agrees
+    double lost_limit_m = 10;           ///< a 95 % radius above this is LOST
+    double lost_after_s = 10;           ///< without motion samples
 };
 
 struct HistoryParams {

@@ -15,6 +15,10 @@ enum class Stream : std::uint8_t { reset, gyro, motion, sighting };
 /// Absolute wheel counts [ticks].
 struct EncoderTicks {
     std::int64_t left, right;
+
+    [[nodiscard]] bool operator==(const EncoderTicks& other) const noexcept {
+        return left == other.left && right == other.right;
+    }
 };
 
 /// Mean yaw rate since the previous sample [rad/s].

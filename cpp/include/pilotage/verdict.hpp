@@ -15,6 +15,8 @@ enum class Verdict : std::uint8_t {
     not_initialized,  ///< there is no pose to fuse it with yet
     before_motion,    ///< older than the first motion sample
     late,             ///< older than the history window
+    clock,            ///< its stamp contradicts the sender's other stamps
+    not_allowed,      ///< a pose reset that the configuration does not allow
     duplicate,        ///< the same sample is there already
     no_motion,        ///< no motion sample came while it could wait
     counter_reset,    ///< encoder counts jumped; the motion of this step is unknown
@@ -29,12 +31,18 @@ inline constexpr int kVerdicts = static_cast<int>(Verdict::numeric) + 1;
     return v > Verdict::fused;
 }
 
+/// Refused before it got a place in the history; such a sighting is never judged again.
+[[nodiscard]] constexpr bool refused_at_the_door(Verdict v) noexcept {
+    return v >= Verdict::bad_value && v <= Verdict::duplicate && v != Verdict::before_motion;
+}
+
 /// Word for reports, statistics and logs.
 [[nodiscard]] constexpr const char* name(Verdict v) noexcept {
     constexpr const char* names[kVerdicts] = {
-        "pending",        "fused",     "bad_value", "implausible", "not_initialized",
-        "before_motion",  "late",      "duplicate", "no_motion",   "counter_reset",
-        "unknown_marker", "too_close", "gate",      "numeric"};
+        "pending",         "fused",         "bad_value", "implausible",
+        "not_initialized", "before_motion", "late",      "clock",
+        "not_allowed",     "duplicate",     "no_motion", "counter_reset",
+        "unknown_marker",  "too_close",     "gate",      "numeric"};
     return names[static_cast<int>(v)];
 }
 
@@ -42,6 +50,7 @@ inline constexpr int kVerdicts = static_cast<int>(Verdict::numeric) + 1;
 [[nodiscard]] constexpr const char* unit(Verdict v) noexcept {
     switch (v) {
         case Verdict::late:
+        case Verdict::clock:
             return "s";
         case Verdict::too_close:
             return "m";
@@ -60,6 +69,7 @@ struct SightingReport {
     std::uint16_t index;    ///< position in its frame
     std::uint8_t sensor;
     Verdict verdict;
+    bool agrees;           ///< with the estimate: NIS within the gate, whatever fuses
     std::int32_t dof;      ///< number of measured components
     double innovation[3];  ///< measured less predicted
     double sigma[3];       ///< square root of the diagonal of S

@@ -4,7 +4,7 @@ import sys
 
 import typer
 
-from . import config, convert, demo, evaluate, plot, replay, simulate, study
+from . import check, config, convert, demo, evaluate, faults, plot, replay, simulate, status, study
 
 app = typer.Typer(
     help="Localizes ground robots on surveyed markers, with dead reckoning in between.",
@@ -32,8 +32,11 @@ for command in (
     convert.convert,
     simulate.simulate,
     evaluate.evaluate,
+    faults.faults,
     plot.plot,
     config.config,
+    check.check,
+    status.status,
 ):
     app.command()(command)
 app.add_typer(study.app, name="study")

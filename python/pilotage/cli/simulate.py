@@ -5,14 +5,22 @@ from typing import Annotated
 
 import typer
 
+PATIENCE_S = 60.0
+"""For somebody to start a node in another terminal."""
+
 
 def simulate(
-    scenario: Annotated[str, typer.Argument(help="mower-spiral, circle-four-poles, figure-eight")],
+    scenario: Annotated[
+        str, typer.Argument(help="mower-spiral, circle-four-poles, figure-eight, yard")
+    ],
     output: Annotated[
         Path | None,
         typer.Option("--output", "-o", help="LCM log; the configuration goes beside it."),
     ] = None,
     live: Annotated[bool, typer.Option("--live", help="Send it over LCM instead.")] = False,
+    wait: Annotated[
+        bool, typer.Option("--wait/--no-wait", help="Of --live: begin once a node is heard.")
+    ] = True,
     speed: Annotated[float, typer.Option(help="Of --live, times real time.")] = 1.0,
     lcm_url: Annotated[
         str | None, typer.Option(help="Of --live; LCM_DEFAULT_URL unless given.")
@@ -23,14 +31,21 @@ def simulate(
     slip: Annotated[
         float, typer.Option(help="Part of the wheels' travel that moves nothing.")
     ] = 0.0,
-    latency: Annotated[float, typer.Option(help="Seconds from a frame to its arrival.")] = 0.0,
+    latency: Annotated[
+        float | None, typer.Option(help="Seconds from a frame to its arrival.")
+    ] = None,
+    fault: Annotated[
+        str | None,
+        typer.Option(help="What fails for a while, a cell of `pilotage faults`: 'gyro stuck'."),
+    ] = None,
     seed: Annotated[int, typer.Option(help="Of all chance.")] = 1,
 ) -> None:
     """Simulate a drive past markers, into an LCM log or live over LCM.
 
     The log holds encoders, gyro, marker frames and the truth (reference_t); beside it stands a
     configuration with the map, for `pilotage replay` and `pilotage-node`. Live, the same messages
-    are sent with the same stamps, which begin at one second.
+    are sent with the same stamps, which begin at one second; the configuration goes into this
+    folder, and the drive begins once a node is heard.
 
     Example: pilotage simulate figure-eight -o eight.lcmlog --gyro-bias 0.001 && pilotage replay
     eight.lcmlog --config eight.yaml
@@ -39,7 +54,7 @@ def simulate(
 
     import numpy as np
 
-    from ..simulate import SCENARIOS
+    from ..simulate import SCENARIOS, Campaign, Measured
     from ..simulate import simulate as run
     from .console import progress_bar
 
@@ -50,6 +65,7 @@ def simulate(
     if output is not None and output.suffix == ".yaml":
         raise ValueError(f"{output} is for the configuration: give the log another name")
     duration = SCENARIOS[scenario].duration_s if duration is None else duration
+    latency = SCENARIOS[scenario].latency_s if latency is None else latency
     for name, value, low, high in (
         ("duration", duration, 1.0, 1e5),
         ("noise", noise, 0.0, 100.0),
@@ -68,7 +84,15 @@ def simulate(
         gyro=replace(chosen.gyro, bias_rad_s=gyro_bias),
         latency_s=latency,
     )
-    simulation = run(chosen, np.random.default_rng(seed))
+    rng = np.random.default_rng(seed)
+
+    def spoiled(measured: Measured) -> Measured:
+        if fault is None:
+            return measured
+        campaign = Campaign.load()
+        return campaign.cell(fault).strike(measured, chosen.cameras, campaign.window, rng)
+
+    simulation = run(chosen, rng, spoiled)
     config = simulation.config.to_yaml()
     if output is not None:
         simulation.recording.save(str(output))
@@ -76,10 +100,16 @@ def simulate(
         typer.echo(f"{output}: {len(simulation.recording)} messages")
         typer.echo(f"pilotage replay {output} --config {output.with_suffix('.yaml')}")
         return
+    from ..health import Health
     from ..live import play
 
     file = Path(f"{scenario}.yaml")
     file.write_text(config, encoding="utf-8")
-    typer.echo(f"sending; a node for it: pilotage-node --config {file}")
+    typer.echo(f"a node for it: pilotage-node --config {file}")
+    if wait:
+        health = Health(lcm_url, simulation.config)
+        if not health.listen(PATIENCE_S, health.status.heard):
+            raise RuntimeError(f"no node was heard on {health.url}; --no-wait sends to nobody")
+    typer.echo("sending")
     with progress_bar("sending") as progress:
         play(simulation.recording, speed, progress, lcm_url)

@@ -6,7 +6,10 @@ This package imports numpy only, so that a replay starts quickly; nothing here p
 from .angles import wrap_angle
 from .consistency import ellipse_scale, mahalanobis_squared, mean_square_band, sigma_probability
 from .errors import PoseErrors, pose_errors
+from .figures import CellFigures, Required
+from .honesty import Timeline
 from .metrics import Counts, Heading, Metrics, Nees, Nis, Position, compute_metrics
+from .outcome import Outcome
 from .run import MapLike, RunLike
 from .table import Row, error_rows, table_rows
 from .trajectory import TRAJECTORY, read_csv, read_trajectory, read_tum
@@ -15,16 +18,20 @@ from .truth import MAX_GAP_S, interpolate
 __all__ = [
     "MAX_GAP_S",
     "TRAJECTORY",
+    "CellFigures",
     "Counts",
     "Heading",
     "MapLike",
     "Metrics",
     "Nees",
     "Nis",
+    "Outcome",
     "PoseErrors",
     "Position",
+    "Required",
     "Row",
     "RunLike",
+    "Timeline",
     "compute_metrics",
     "ellipse_scale",
     "error_rows",

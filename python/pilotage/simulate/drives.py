@@ -11,6 +11,22 @@ STEP_US = 10_000
 """Between motion samples, µs."""
 HELD_STEPS = 25
 """For so many steps the spiral's rates hold."""
+STANDS_FIRST_S = 3.0
+"""Before the rounds begin."""
+HALF_LAP = np.array(
+    [
+        (5.0, 1.0, 0.0),
+        (8.0, 0.8, np.pi / 6),
+        (11.0, 0.0, 0.0),
+        (15.0, 0.9, 0.0),
+        (17.0, 0.8, -np.pi / 8),
+        (21.0, 0.8, 3 * np.pi / 16),
+        (22.5, 1.0, 0.0),
+    ]
+)
+"""Of the rounds; two close a lap. End [s], speed [m/s] and turn rate [rad/s] of each part."""
+RAMP_STEPS = 50
+_MODEL = ArcUnicycle()
 
 
 @dataclass(frozen=True)
@@ -31,20 +47,17 @@ class Drive:
     omega: NDArray[np.float64]
     pose: NDArray[np.float64]
 
-    def at(self, utime: int) -> NDArray[np.float64]:
-        """Return the true pose at any time of the drive."""
-        i = min(int(np.searchsorted(self.utime, utime, side="right")) - 1, len(self.v) - 1)
+    def at(self, utime: NDArray[np.int64]) -> NDArray[np.float64]:
+        """Return the true poses (n, 3) at any times (n,) of the drive."""
+        i = np.minimum(np.searchsorted(self.utime, utime, side="right") - 1, len(self.v) - 1)
         dt = (utime - self.utime[i]) * 1e-6
-        return _step(self.pose[i], self.v[i] * dt, self.omega[i] * dt)
+        return _MODEL.step_each(self.pose[i], np.column_stack([self.v[i] * dt, self.omega[i] * dt]))
 
 
 def drive(start: NDArray[np.float64], v: NDArray[np.float64], omega: NDArray[np.float64]) -> Drive:
     """Step the core's motion model through the rates, `STEP_US` each."""
     utime = np.arange(len(v) + 1, dtype=np.int64) * STEP_US + 1_000_000
-    pose = np.empty((len(v) + 1, 3))
-    pose[0] = start
-    for i, (distance, turn) in enumerate(np.column_stack([v, omega]) * (STEP_US * 1e-6)):
-        pose[i + 1] = _step(pose[i], distance, turn)
+    pose = _MODEL.path(start, np.column_stack([v, omega]) * (STEP_US * 1e-6))
     return Drive(utime, v, omega, pose)
 
 
@@ -83,9 +96,14 @@ def figure_eight(duration_s: float, radius_m: float = 2.5, speed_m_s: float = 0.
     return drive(start, np.full(len(t), speed_m_s), omega)
 
 
-_MODEL = ArcUnicycle()
-
-
-def _step(pose: NDArray[np.float64], distance: float, turn: float) -> NDArray[np.float64]:
-    following: NDArray[np.float64] = _MODEL.linearize(pose, [distance, turn])[0]
-    return following
+def rounds(duration_s: float) -> Drive:
+    """Round a yard: straights, bends to both sides, and a stop of three seconds every half lap."""
+    t = np.arange(round(duration_s * 1e6 / STEP_US)) * (STEP_US * 1e-6)
+    ends, v, omega = HALF_LAP.T
+    in_half_lap = np.maximum(t - STANDS_FIRST_S, 0.0) % ends[-1]
+    segment = np.searchsorted(ends, in_half_lap, side="right")
+    rates = np.stack([v[segment], omega[segment]]) * (t >= STANDS_FIRST_S)
+    # Over half a second, since no robot changes its speed at once.
+    ramp = np.ones(RAMP_STEPS) / RAMP_STEPS
+    v, omega = (np.convolve(rate, ramp)[: len(t)] for rate in rates)
+    return drive(np.array([-4.0, -3.5, 0.0]), v, omega)

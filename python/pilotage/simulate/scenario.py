@@ -1,13 +1,11 @@
-"""Named drives with their sites and sensors, and what comes of simulating them."""
+"""Named drives with their sites and sensors."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from .. import Config, MarkerMap, Recording
-from ..evaluate import TRAJECTORY
+from .. import MarkerMap
 from . import drives, worlds
 from .drives import Drive
 from .sensors import Camera, Encoders, Gyro
@@ -31,6 +29,8 @@ class Scenario:
     cameras: tuple[Camera, ...] = ()
     latency_s: float = 0.0
     """From a frame's capture to its arrival; its stamp tells the capture."""
+    jitter_s: float = 0.0
+    """Mean of what every message's way takes besides, exponentially distributed."""
 
     def with_noise(self, factor: float) -> "Scenario":
         """Return the same with every noise times a factor; 0 also ends the ticks' quantisation."""
@@ -48,19 +48,8 @@ class Scenario:
                 walk_rad_s_per_sqrt_s=factor * gyro.walk_rad_s_per_sqrt_s,
             ),
             cameras=tuple(replace(c, sigma=_scaled(c.sigma, factor)) for c in self.cameras),
+            jitter_s=factor * self.jitter_s,
         )
-
-
-@dataclass(frozen=True)
-class Simulation:
-    """What a simulated robot recorded, what was true, and a configuration that suits it.
-
-    `truth` has rows of `evaluate.TRAJECTORY`.
-    """
-
-    recording: Recording
-    truth: NDArray[np.void]
-    config: Config
 
 
 SCENARIOS = {
@@ -116,63 +105,29 @@ SCENARIOS = {
                 ),
             ),
         ),
+        Scenario(
+            "yard",
+            lambda _: worlds.yard(),
+            drives.rounds,
+            duration_s=90.0,
+            encoders=Encoders(track_width_m=0.5, m_per_tick=SMALL_ROBOT_M_PER_TICK),
+            gyro=Gyro(noise_rad_per_sqrt_s=5e-4, walk_rad_s_per_sqrt_s=2e-5),
+            cameras=(
+                Camera(
+                    "scanner",
+                    components=("bearing", "range"),
+                    mounting=(0.2, 0.0, 0.4, 0.0),
+                    sigma=(0.01, 0.0, 0.05),
+                    rate_hz=10.0,
+                    reach_m=8.0,
+                    half_view_rad=1.5,
+                ),
+            ),
+            latency_s=0.03,
+            jitter_s=0.001,
+        ),
     )
 }
-
-
-def simulate(scenario: Scenario, rng: np.random.Generator) -> Simulation:
-    """Drive, measure and record; all chance comes from `rng`."""
-    markers = scenario.site(rng)
-    drive = scenario.drive(scenario.duration_s)
-    recording = Recording()
-    recording.add_gyro("GYRO", drive.utime, scenario.gyro.rates(drive, rng))
-    recording.add_encoders("ENCODERS", drive.utime, *scenario.encoders.ticks(drive, rng).T)
-    for camera in scenario.cameras:
-        utime, marker, value = camera.sightings(drive, markers, rng)
-        received = utime + round(scenario.latency_s * 1e6)
-        bearing, elevation, slant = value.T
-        recording.add_sightings(
-            "MARKERS", camera.name, utime, marker, bearing, elevation, slant, received=received
-        )
-    recording.add_reference("REFERENCE", drive.utime, *drive.pose.T)
-    recording.sort()
-    truth = np.empty(len(drive.utime), TRAJECTORY)
-    truth["utime"] = drive.utime
-    for name, column in zip(("x", "y", "heading"), drive.pose.T, strict=True):
-        truth[name] = column
-    return Simulation(recording, truth, suitable_config(scenario, markers, drive))
-
-
-def suitable_config(scenario: Scenario, markers: MarkerMap, drive: Drive) -> Config:
-    """Return the configuration of a robot whose engineer knows its sensors, from the true start."""
-    config = Config()
-    config.map = markers
-    encoders, gyro = scenario.encoders, scenario.gyro
-    values: dict[str, float] = {
-        "encoders.left_m_per_tick": encoders.m_per_tick,
-        "encoders.right_m_per_tick": encoders.m_per_tick,
-        "encoders.track_width_m": encoders.track_width_m,
-        "noise.wheel_m_per_sqrt_m": encoders.noise_m_per_sqrt_m,
-        "noise.gyro_rad_per_sqrt_s": gyro.noise_rad_per_sqrt_s,
-        "noise.position_m_per_sqrt_m": 0.0,  # all that is uncertain of this motion is its sensors
-        "calibration.gyro_bias.sigma": max(abs(gyro.bias_rad_s), 1e-3),
-        "calibration.gyro_bias.walk": gyro.walk_rad_s_per_sqrt_s,
-        "calibration.distance_scale.sigma": max(encoders.slip, 0.01),
-    }
-    for name, value in zip(("x_m", "y_m", "heading_rad"), drive.pose[0], strict=True):
-        values[f"initial.{name}"] = float(value)
-    for camera in scenario.cameras:
-        prefix = f"sensors.{camera.name}."
-        for name, value in zip(("x_m", "y_m", "z_m", "yaw_rad"), camera.mounting, strict=True):
-            values[prefix + name] = value
-        for name, sigma in zip(
-            ("sigma_bearing_rad", "sigma_elevation_rad", "sigma_range_m"), camera.sigma, strict=True
-        ):
-            if sigma > 0:
-                values[prefix + name] = sigma
-    for key, number in values.items():
-        config[key] = number
-    return config
 
 
 def _scaled(sigma: tuple[float, float, float], factor: float) -> tuple[float, float, float]:

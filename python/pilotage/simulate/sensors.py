@@ -83,25 +83,19 @@ class Camera:
         """
         period = round(1e6 / self.rate_hz)
         first = int(drive.utime[0]) + int(rng.integers(1, period))
-        models = {
-            int(marker): MarkerModel(position, list(COMPONENTS), self.mounting)
-            for marker, position in zip(markers.ids, markers.positions, strict=True)
-        }
-        measured = np.array([c in self.components for c in COMPONENTS])
-        rows = []
-        for utime in range(first, int(drive.utime[-1]), period):
-            pose = drive.at(utime)
-            for marker, model in models.items():
-                value = np.array(model.linearize(pose)[0])
-                if value[2] > self.reach_m or abs(wrap_angle(value[0])) > self.half_view_rad:
-                    continue
-                if rng.random() < self.dropout:
-                    continue
-                value += np.array(self.sigma) * rng.standard_normal(3)
-                value[0] = wrap_angle(value[0])
-                rows.append((utime, marker, np.where(measured, value, np.nan)))
-        return (
-            np.array([row[0] for row in rows], dtype=np.int64),
-            np.array([row[1] for row in rows], dtype=np.int32),
-            np.array([row[2] for row in rows]).reshape(-1, 3),
-        )
+        utime = np.arange(first, int(drive.utime[-1]), period, dtype=np.int64)
+        exact = np.stack([self.look(drive, p, utime) for p in markers.positions], axis=1)
+        in_view = (exact[..., 2] <= self.reach_m) & (np.abs(exact[..., 0]) <= self.half_view_rad)
+        in_view &= rng.random(in_view.shape) >= self.dropout
+        frame, marker = np.nonzero(in_view)
+        value = exact[frame, marker]
+        value += np.array(self.sigma) * rng.standard_normal(value.shape)
+        value[:, 0] = wrap_angle(value[:, 0])
+        value[:, [c not in self.components for c in COMPONENTS]] = np.nan
+        return utime[frame], markers.ids[marker], value
+
+    def look(
+        self, drive: Drive, marker: NDArray[np.float64], utime: NDArray[np.int64]
+    ) -> NDArray[np.float64]:
+        """Exact bearing, elevation and range (n, 3) of a marker at x, y, z, at times (n,)."""
+        return MarkerModel(marker, list(COMPONENTS), self.mounting).predict(drive.at(utime))

@@ -26,5 +26,24 @@ def hall(rng: np.random.Generator) -> MarkerMap:
     return MarkerMap(np.arange(10), np.column_stack([xy, rng.uniform(0.3, 2.0, 10)]))
 
 
+def yard() -> MarkerMap:
+    """Ten posts about a yard of 15 m by 13 m, placed so that no two views are alike."""
+    xy = np.array(
+        [
+            [-8, -4],
+            [-4, -6],
+            [1, -5],
+            [5, -5],
+            [6, 0],
+            [5, 4],
+            [0, 7],
+            [-5, 7],
+            [-9, 3],
+            [-1.5, 0.5],
+        ]
+    )
+    return MarkerMap(np.arange(10), np.column_stack([xy, np.full(10, 0.5)]))
+
+
 def _on_ground(xy: np.ndarray) -> MarkerMap:
     return MarkerMap(np.arange(len(xy)), np.column_stack([xy, np.zeros(len(xy))]))

@@ -136,7 +136,6 @@ map: [{id: 1, x: 6, y: 2, z: 0.4}, {id: 2, x: 4, y: -4, sigma: 0.1}]
     // A peer that soon sends its clock far ahead ends them early.
     EXPECT_GT(bench.poses.size(), static_cast<std::size_t>(messages / 5'000));
     EXPECT_GT(bench.reports.size(), 50U);
-    EXPECT_LT(bench.notices.size(), 120U);
 }
 
 TEST(HostilePeerTest, IsSurvivedByThreeStates) {

@@ -23,8 +23,9 @@ void drive_erring(Robot& robot) {
         if (i > 0) {
             truth = after_arc(truth, distance, turn);
             truth[kHeading] = wrap(truth[kHeading]);
-            left += 10'000;  // micrometres
-            right += 10'000;
+            const double lean = turn * plain_params().wheels.track_width_m / 2;
+            left += std::llround(1e6 * (distance - lean));
+            right += std::llround(1e6 * (distance + lean));
         }
         robot.add(gyro_at(i * kPeriod, turn / kRotation / 0.02 + kBias));
         robot.add(encoders_at(i * kPeriod, left, right));

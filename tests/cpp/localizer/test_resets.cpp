@@ -62,6 +62,7 @@ TEST_P(ResetTest, WrapsTheHeading) {
 TEST_P(ResetTest, UnderWayTakesEffectAtItsOwnTimeAndIsCounted) {
     Params params = plain_params();
     params.noise.wheel_m_per_sqrt_m = params.noise.position_m_per_sqrt_m = 0;
+    params.motion.max_gap_s = 1;
     Robot robot(GetParam(), params, kMap);
     robot.add(encoders_at(0, 0, 0));
     const Sample to = reset_at(750'000, {10, 20, kPi<double> / 2}, {0.5, 0.6, 0});
@@ -92,13 +93,15 @@ TEST_P(ResetTest, KeepsTheCalibrationButNotWhatTiedItToThePose) {
 TEST_P(ResetTest, UnderWayAsksForANewConfirmation) {
     Robot robot(GetParam(), plain_params(), kMap);
     robot.add(encoders_at(0, 0, 0));
-    robot.add(sighting_at(1, 1, view({0, 0, 0}, kMap.markers()[0])));
+    for (int i = 1; i <= Agreement::kConfirming; ++i)
+        robot.add(sighting_at(i, 1, view({0, 0, 0}, kMap.markers()[0])));
     robot.add(encoders_at(kPeriod, 0, 0));
     EXPECT_EQ(robot.estimate().status, Status::ok);
     robot.add(reset_at(kPeriod + 1, {1, 0, 0}, {0.1, 0.1, 0.1}));
     robot.add(encoders_at(2 * kPeriod, 0, 0));
     EXPECT_EQ(robot.estimate().status, Status::initializing);
-    robot.add(sighting_at(2 * kPeriod + 1, 1, view({1, 0, 0}, kMap.markers()[0])));
+    for (int i = 1; i <= Agreement::kConfirming; ++i)
+        robot.add(sighting_at(2 * kPeriod + i, 1, view({1, 0, 0}, kMap.markers()[0])));
     robot.add(encoders_at(3 * kPeriod, 0, 0));
     EXPECT_EQ(robot.estimate().status, Status::ok);
 }
@@ -128,6 +131,11 @@ TEST_P(ResetTest, NeedsFinitePlausibleNumbersAndACovariance) {
     for (const int beside : {1, 3, 4})
         cases.push_back(
             {with([&](PoseReset& r) { r.covariance[beside] = 0.011; }), Verdict::bad_value});
+    cases.push_back({with([](PoseReset& r) {
+                         for (const int zero : {0, 2, 5}) r.covariance[zero] = 0;
+                         r.covariance[4] = -1e7;
+                     }),
+                     Verdict::bad_value});
     for (const double huge : {1.1e7, 1e154, 1e308})
         for (int i = 0; i < 3; ++i)
             cases.push_back({with([&](PoseReset& r) { r.pose[i] = -huge; }), Verdict::implausible});
@@ -150,7 +158,7 @@ TEST_P(ResetTest, NeedsFinitePlausibleNumbersAndACovariance) {
 TEST_P(ResetTest, AtItsLimitsLeavesAFiniteFilter) {
     Robot robot(GetParam(), plain_params(), kMap);
     robot.add(drive(1, 0, 0));
-    const Sample far = reset_at(kPeriod + 1, {1e7, -1e7, 1e7}, {3e4, 3e4, 3e4});
+    const Sample far = reset_at(kPeriod + 1, {1e7, -1e7, 1e7}, {3e4, 3e4, 10});
     robot.add(far);
     for (int i = 2; i < 500; ++i) {
         robot.add(sighting_at(i * kPeriod - 1, 1, {0.1, 0.1, 5}));

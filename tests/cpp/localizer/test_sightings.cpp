@@ -15,6 +15,7 @@ const MarkerMap kMap({{1, 6, 2, 0.4, 0}, {2, -3, 5, 0, 0}, {3, 4, -4, 0, 0}});
 Params camera_params() {
     Params params = plain_params();
     params.initial.sigma_position_m = 0.2;
+    params.motion.max_gap_s = 1;
     MarkerSensorParams& camera = params.sensors[0];
     camera.x_m = 0.3;
     camera.y_m = -0.1;

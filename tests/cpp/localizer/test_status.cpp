@@ -10,11 +10,14 @@ PILOTAGE_LOCALIZER_SUITE(StatusTest);
 
 const MarkerMap kMap({{1, 6, 2, 0.4, 0}, {2, 6, -2, 0, 0}});
 
-/// A robot that stands, told the time and, if asked, shown a marker.
-void stand(Robot& robot, std::int64_t utime, bool shown = false) {
-    if (shown) robot.add(sighting_at(utime - 1, 1, view({0, 0, 0}, kMap.markers()[0])));
+/// A robot that stands, told the time and shown a marker so many times.
+void stand(Robot& robot, std::int64_t utime, int shown = 0) {
+    for (; shown > 0; --shown)
+        robot.add(sighting_at(utime - shown, 1, view({0, 0, 0}, kMap.markers()[0])));
     robot.add(encoders_at(utime, 0, 0));
 }
+
+constexpr int kConfirming = Agreement::kConfirming;
 
 TEST_P(StatusTest, WaitsForAPoseAndForMotion) {
     Params params = plain_params();
@@ -28,11 +31,19 @@ TEST_P(StatusTest, WaitsForAPoseAndForMotion) {
     EXPECT_TRUE(robot.started());
 }
 
-TEST_P(StatusTest, IsNotOkBeforeASightingConfirmsThePose) {
+TEST_P(StatusTest, IsNotOkBeforeSightingsInARowConfirmThePose) {
     Robot robot(GetParam(), plain_params(), kMap);
     for (int i = 0; i < 100; ++i) stand(robot, i * kPeriod);
     EXPECT_EQ(robot.estimate().status, Status::initializing);
-    stand(robot, 100 * kPeriod, true);
+    stand(robot, 100 * kPeriod, kConfirming - 1);
+    EXPECT_EQ(robot.estimate().reason, Reason::unconfirmed);
+    Vector<double, 3> off = view({0, 0, 0}, kMap.markers()[0]);
+    off[0] += 1;
+    robot.add(sighting_at(101 * kPeriod - 1, 1, off));  // the row is broken
+    stand(robot, 101 * kPeriod);
+    stand(robot, 102 * kPeriod, kConfirming - 1);
+    EXPECT_EQ(robot.estimate().status, Status::initializing);
+    stand(robot, 103 * kPeriod, 1);
     EXPECT_EQ(robot.estimate().status, Status::ok);
 }
 
@@ -49,12 +60,12 @@ TEST_P(StatusTest, BecomesDeadReckoningWithoutSightingsAndOkWithOne) {
     params.status.dead_reckoning_after_s = 3;
     Robot robot(GetParam(), params, kMap);
     stand(robot, 0);
-    stand(robot, kSecond, true);
+    stand(robot, kSecond, kConfirming);
     stand(robot, 4 * kSecond - 1);
     EXPECT_EQ(robot.estimate().status, Status::ok);
     stand(robot, 4 * kSecond);
     EXPECT_EQ(robot.estimate().status, Status::dead_reckoning);
-    stand(robot, 5 * kSecond, true);
+    stand(robot, 5 * kSecond, 1);
     EXPECT_EQ(robot.estimate().status, Status::ok);
 }
 
@@ -67,7 +78,7 @@ TEST_P(StatusTest, IsOkOnlyWhereThe95PercentRadiusIsBelowTheAlertLimit) {
         params.status.alert_limit_m = 0.2 * 2.4477 * (below ? 1.01 : 0.99);
         Robot robot(GetParam(), params, kMap);
         stand(robot, 0);
-        robot.add(sighting_at(1, 1, {0.3, kNan, kNan}));
+        for (int i = 1; i <= kConfirming; ++i) robot.add(sighting_at(i, 1, {0.3, kNan, kNan}));
         stand(robot, kPeriod);
         EXPECT_EQ(robot.estimate().status, below ? Status::ok : Status::dead_reckoning);
     }
@@ -83,11 +94,13 @@ TEST_P(StatusTest, CountsTheLongAxisOfTheEllipse) {
     const double covariance[] = {0.12505, 0.12495, 0.12505, 0, 0, 1e-4};
     std::copy(std::begin(covariance), std::end(covariance), reset.payload.reset.covariance);
     robot.add(reset);
-    Sample seen = sighting_at(2, 1, {0.3, kNan, kNan});
-    seen.payload.sighting.sigma[0] = 1e3;
-    robot.add(seen);
+    for (int i = 0; i < kConfirming; ++i) {
+        Sample seen = sighting_at(2 + i, 1, {0.3, kNan, kNan});
+        seen.payload.sighting.sigma[0] = 1e3;
+        robot.add(seen);
+    }
     stand(robot, kPeriod);
-    EXPECT_EQ(robot.tally.of(seen), Verdict::fused);
+    EXPECT_EQ(robot.estimate().reason, Reason::unsure);
     EXPECT_EQ(robot.estimate().status, Status::dead_reckoning) << "0.5 m * 2.4477 > 1 m";
 }
 
@@ -98,7 +111,7 @@ TEST_P(StatusTest, FallsBackWhenTheDriveMakesThePoseUnsure) {
     params.status.dead_reckoning_after_s = 1e6;
     Robot robot(GetParam(), params, kMap);
     stand(robot, 0);
-    stand(robot, kPeriod, true);
+    stand(robot, kPeriod, kConfirming);
     bool was_ok = false;
     for (int i = 2; i < 300; ++i) {
         robot.add(encoders_at(i * kPeriod, 10 * (i - 1), 10 * (i - 1)));

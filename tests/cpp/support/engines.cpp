@@ -34,6 +34,8 @@ void Bench::message(const std::string& channel, const std::uint8_t* data, std::s
     if (channel == "POSE") return take(poses, data, size);
     if (channel == "MARKER_REPORT") return take(reports, data, size);
     if (channel == "STATUS") return take(statuses, data, size);
+    if (channel == "ODOMETRY") return take(odometry, data, size);
+    if (channel == "POSE_JUMP") return take(jumps, data, size);
     ADD_FAILURE() << "a message on channel " << channel;
 }
 

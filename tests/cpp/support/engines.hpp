@@ -9,6 +9,7 @@
 
 #include "engine/config_file.hpp"
 #include "engine/engine.hpp"
+#include "pilotage/pose_jump_t.hpp"
 #include "support/messages.hpp"
 
 namespace pilotage::test {
@@ -26,6 +27,9 @@ map:
 class Bench final : private EngineOutput {
    public:
     std::vector<pose_t> poses;
+    std::vector<odometry_t> odometry;
+    std::vector<pose_jump_t> jumps;
+    std::vector<Bytes> checkpoints;
     std::vector<marker_report_t> reports;
     std::vector<status_t> statuses;
     std::vector<std::string> notices;
@@ -50,6 +54,7 @@ class Bench final : private EngineOutput {
    private:
     void message(const std::string& channel, const std::uint8_t* data, std::size_t size) override;
     void notice(const std::string& text) override { notices.push_back(text); }
+    void checkpoint(const Bytes& bytes) override { checkpoints.push_back(bytes); }
 
     Engine engine_;
 };

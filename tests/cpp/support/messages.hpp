@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/checkpoint_file.hpp"
 #include "engine/codecs.hpp"
 #include "pilotage/encoders_t.hpp"
 #include "pilotage/gyro_t.hpp"
@@ -16,8 +17,6 @@
 #include "pilotage/velocity_t.hpp"
 
 namespace pilotage::test {
-
-using Bytes = std::vector<std::uint8_t>;
 
 template <typename Message>
 [[nodiscard]] Bytes bytes_of(const Message& message) {

@@ -7,7 +7,10 @@ namespace pilotage::test {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979324;
+bool wrapped(double heading) {
+    constexpr double pi = 3.14159265358979324;
+    return heading > -pi && heading <= pi;
+}
 
 /// What was measured was held against the map: all of it is there, and nothing else. A sender may
 /// state a sigma whose square is infinite.
@@ -57,7 +60,7 @@ std::string flaw_in(const pose_t& pose) {
         if (!std::isfinite(v)) return "the pose is not finite";
     for (const double v : pose.covariance)
         if (!std::isfinite(v)) return "the covariance is not finite";
-    if (!(pose.heading > -kPi && pose.heading <= kPi)) return "the heading is not in (-pi, pi]";
+    if (!wrapped(pose.heading)) return "the heading is not in (-pi, pi]";
     for (int i = 0; i < 3; ++i) {
         if (pose.covariance[4 * i] < 0) return "a variance is negative";
         for (int j = 0; j < i; ++j)
@@ -83,6 +86,19 @@ std::string flaw_in(const status_t& status) {
     for (const input_status_t& input : status.inputs)
         if (const std::string flaw = flaw_in(input); !flaw.empty()) return input.name + ": " + flaw;
     return "";
+}
+
+std::string flaw_in(const odometry_t& o) {
+    for (const double v : {o.x, o.y, o.heading, o.v, o.omega})
+        if (!std::isfinite(v)) return "not finite";
+    return wrapped(o.heading) ? "" : "the heading is not in (-pi, pi]";
+}
+
+std::string flaw_in(const pose_jump_t& jump) {
+    for (int i = 0; i < 3; ++i)
+        if (!std::isfinite(jump.before[i]) || !std::isfinite(jump.after[i])) return "not finite";
+    const bool known = jump.cause == "correction" || jump.cause == "reset" || jump.cause == "clock";
+    return known ? "" : "unknown cause '" + jump.cause + "'";
 }
 
 }  // namespace pilotage::test

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "pilotage/marker_report_t.hpp"
+#include "pilotage/odometry_t.hpp"
+#include "pilotage/pose_jump_t.hpp"
 #include "pilotage/pose_t.hpp"
 #include "pilotage/status_t.hpp"
 
@@ -14,5 +16,7 @@ namespace pilotage::test {
 [[nodiscard]] std::string flaw_in(const pose_t& pose);
 [[nodiscard]] std::string flaw_in(const marker_report_t& report);
 [[nodiscard]] std::string flaw_in(const status_t& status);
+[[nodiscard]] std::string flaw_in(const odometry_t& odometry);
+[[nodiscard]] std::string flaw_in(const pose_jump_t& jump);
 
 }  // namespace pilotage::test

@@ -67,7 +67,9 @@ def test_what_a_user_can_mend_is_one_line_and_exit_2(tmp_path: Path, arguments, 
         assert word in result.stderr
 
 
-COMMANDS = ("demo", "replay", "convert", "simulate", "evaluate", "plot", "config")
+COMMANDS = (
+    "demo", "replay", "convert", "simulate", "evaluate", "plot", "config", "check", "status",
+)  # fmt: skip
 
 
 def test_every_command_explains_itself_with_an_example():

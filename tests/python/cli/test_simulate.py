@@ -1,10 +1,13 @@
 """`pilotage simulate` into a log."""
 
 import json
+from math import isnan
 from pathlib import Path
 
 import pytest
 
+from pilotage import Recording
+from pilotage.lcmtypes import gyro_t
 from support.command import pilotage
 
 
@@ -35,6 +38,14 @@ def test_a_seed_gives_the_same_file(tmp_path: Path):
     assert a != c
 
 
+def test_a_fault_is_in_the_log(tmp_path: Path):
+    log = tmp_path / "yard.lcmlog"
+    simulated = pilotage("simulate", "yard", "-o", log, "--fault", "gyro NaN")
+    assert simulated.returncode == 0, simulated.stderr
+    rates = [gyro_t.decode(data).rate for data in Recording.load(str(log)).messages("GYRO")]
+    assert sum(map(isnan, rates)) == 1500
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -45,6 +56,7 @@ def test_a_seed_gives_the_same_file(tmp_path: Path):
         (["figure-eight", "-o", "missing/x.lcmlog"], ["missing/x.lcmlog", "No such file"]),
         (["figure-eight", "-o", "x.lcmlog", "--duration", "0"], ["--duration", "0", "1 to"]),
         (["figure-eight", "-o", "x.lcmlog", "--noise", "-1"], ["--noise", "-1", "0 to"]),
+        (["yard", "-o", "x.lcmlog", "--fault", "gyro dead"], ["gyro dead", "markers", "stuck"]),
         (["figure-eight", "-o", "x.lcmlog", "--slip", "1"], ["--slip", "1", "0.9"]),
         (["figure-eight", "-o", "x.lcmlog", "--latency", "nan"], ["--latency", "nan"]),
         (["figure-eight", "-o", "x.lcmlog", "--gyro-bias", "inf"], ["--gyro-bias", "inf"]),

@@ -20,3 +20,9 @@ def test_a_live_simulation_is_localized_by_the_node(tmp_path: Path):
         assert running.messages["POSE"][-1].status == 2  # OK
     assert "pilotage-node --config figure-eight.yaml" in result.stdout
     assert (tmp_path / "figure-eight.yaml").read_text() == (tmp_path / "eight.yaml").read_text()
+
+
+def test_without_waiting_it_sends_to_nobody(tmp_path: Path):
+    drive = ("simulate", "figure-eight", "--duration", 5, "--speed", 100)
+    result = pilotage(*drive, "--live", "--no-wait", "--lcm-url", URL, cwd=tmp_path)
+    assert result.returncode == 0, result.stderr

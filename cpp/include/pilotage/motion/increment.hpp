@@ -19,11 +19,19 @@ struct Increment {
     Scalar turn_rad = 0;
     Matrix<Scalar, 2> covariance = Matrix<Scalar, 2>::Zero();  ///< of (distance, turn)
     Scalar gyro_share = 0;  ///< weight of the gyro in the turn, in [0, 1]
+    /// Variances of the pose for what no model describes: slip, gaps, being carried.
+    Pose<Scalar> doubt = Pose<Scalar>::Zero();
+    bool still = false;  ///< the robot stood: time alone makes its pose no less sure
 
     /// The first `fraction` of it; noise is in proportion to what was driven.
     [[nodiscard]] Increment part(Scalar fraction) const noexcept {
-        return {dt_s * fraction, distance_m * fraction, turn_rad * fraction,
-                Matrix<Scalar, 2>(covariance * fraction), gyro_share};
+        return {dt_s * fraction,
+                distance_m * fraction,
+                turn_rad * fraction,
+                Matrix<Scalar, 2>(covariance * fraction),
+                gyro_share,
+                Pose<Scalar>(doubt * fraction),
+                still};
     }
 };
 
@@ -79,6 +87,15 @@ template <typename Scalar>
     return u;
 }
 
+/// The same interval of a robot that stood, whatever the gyro says.
+template <typename Scalar>
+[[nodiscard]] Increment<Scalar> standstill(const Increment<Scalar>& u) noexcept {
+    Increment<Scalar> still;
+    still.dt_s = u.dt_s;
+    still.still = true;
+    return still;
+}
+
 /// Process noise of the pose: slip grows with distance and turn, the rest with time.
 template <typename Scalar>
 [[nodiscard]] Pose<Scalar> pose_process_noise(const Increment<Scalar>& u,
@@ -88,12 +105,13 @@ template <typename Scalar>
         return Scalar(sigma * sigma) * amount;
     };
     const Scalar driven = abs(u.distance_m), turned = abs(u.turn_rad);
+    const Scalar time_s = u.still ? Scalar(0) : u.dt_s;
     const Scalar position = variance(noise.position_m_per_sqrt_m, driven) +
-                            variance(noise.position_m_per_sqrt_s, u.dt_s);
+                            variance(noise.position_m_per_sqrt_s, time_s);
     const Scalar heading = variance(noise.heading_rad_per_sqrt_m, driven) +
                            variance(noise.heading_rad_per_sqrt_rad, turned) +
-                           variance(noise.heading_rad_per_sqrt_s, u.dt_s);
-    return {position, position, heading};
+                           variance(noise.heading_rad_per_sqrt_s, time_s);
+    return Pose<Scalar>(position, position, heading) + u.doubt;
 }
 
 /// Random walk of (gyro bias, distance scale, rotation scale).

@@ -47,6 +47,12 @@ class GyroIntegral {
         return whole ? std::optional<double>(turn_rad) : std::nullopt;
     }
 
+    /// The clock was set: time goes on at `utime`, without what the old clock dated.
+    void restart(std::int64_t utime) noexcept {
+        *this = {};
+        utime_ = utime;
+    }
+
    private:
     std::int64_t utime_ = 0;
     double rate_rad_s_ = 0, unused_rad_ = 0;
@@ -61,7 +67,8 @@ class TickCounter {
     /// The travel [m] since the last counts; none after a reset.
     [[nodiscard]] TickFault advance(const EncoderTicks& now, double dt_s, const WheelParams& wheels,
                                     double& left_m, double& right_m) noexcept {
-        const double limit_m = wheels.max_speed_m_s * (dt_s + kStampSlack_s);
+        const double limit_m =
+            wheels.max_speed_m_s * (std::fmin(dt_s, kLongestDrive_s) + kStampSlack_s);
         const TickFault left =
             travel(now.left, last_.left, wheels.left_m_per_tick, limit_m, left_m);
         const TickFault right =
@@ -74,9 +81,11 @@ class TickCounter {
     }
 
     void start(const EncoderTicks& now) noexcept { last_ = now; }
+    [[nodiscard]] const EncoderTicks& last() const noexcept { return last_; }
 
    private:
     static constexpr double kStampSlack_s = 0.1;  // stamps repeat and jitter; a reset jumps further
+    static constexpr double kLongestDrive_s = 60;  // of a longer gap, ticks tell no path
 
     static TickFault travel(std::int64_t now, std::int64_t last, double m_per_tick, double limit_m,
                             double& travel_m) noexcept {

@@ -1,0 +1,82 @@
+#include "explain.hpp"
+
+#include <cmath>
+
+#include "words.hpp"
+
+namespace pilotage {
+
+namespace {
+
+/// A name from outside as it may stand in a line for a person.
+std::string printable(std::string name) {
+    constexpr std::size_t enough = 60;
+    if (name.size() > enough) name = name.substr(0, enough) + "...";
+    for (char& c : name)
+        if (c < ' ' || c > '~') c = '?';
+    return name;
+}
+
+}  // namespace
+
+const char* name(Status status) noexcept {
+    constexpr const char* names[] = {"WAITING",        "INITIALIZING", "OK",
+                                     "DEAD_RECKONING", "AMBIGUOUS",    "LOST"};
+    return names[static_cast<int>(status)];
+}
+
+const char* name(MotionState state) noexcept {
+    constexpr const char* names[] = {"driving", "standing", "slipping", "lifted"};
+    return names[static_cast<int>(state)];
+}
+
+std::string explain(const Assessment& a) {
+    switch (a.reason) {
+        case Reason::none:
+        case Reason::no_pose:  // the engine names what it waits for
+        case Reason::no_motion:
+            return "";
+        case Reason::unconfirmed:
+            return words("%.0f of the %.0f sightings in a row that confirm the pose", a.value,
+                         a.limit);
+        case Reason::disagreement:
+            return words(
+                "the sightings contradict the motion (mean NIS %.1f per degree of freedom, limit "
+                "%.1f): encoders, gyro or markers are wrong",
+                a.value, a.limit);
+        case Reason::no_sighting:
+            return words("no sighting that agrees for %.1f s, limit %.1f s", a.value, a.limit);
+        case Reason::unsure:
+            return words("95 %% radius %.2f m, limit %.2f m", a.value, a.limit);
+        case Reason::motion_gap:
+            return words("no motion for %.1f s, limit %.1f s", a.value, a.limit);
+    }
+    return "";
+}
+
+std::string explain(MotionState state, double disagreement_rad) {
+    if (state == MotionState::slipping)
+        return words("slipping: encoders and gyro disagree by %.2f rad in half a second",
+                     std::abs(disagreement_rad));
+    if (state == MotionState::lifted)
+        return words(
+            "lifted: the encoders stand still and the gyro turned by %.2f rad in half a "
+            "second",
+            std::abs(disagreement_rad));
+    return "";
+}
+
+std::string wrong_type(const std::string& channel, const std::string& expected,
+                       const std::string& got, std::int64_t fingerprint) {
+    return channel + ": expected " + expected + ", got " + got +
+           words(" with fingerprint %016llx", static_cast<unsigned long long>(fingerprint)) +
+           "; is this the right channel, and is the sender built with the same .lcm files?";
+}
+
+std::string unknown_sensor(const std::string& channel, const std::string& sensor) {
+    const std::string name = printable(sensor);
+    return channel + ": a frame of sensor '" + name +
+           "', which the configuration does not name; add sensors." + name;
+}
+
+}  // namespace pilotage

@@ -1,0 +1,122 @@
+#pragma once
+/// \file
+/// Holds the wheels' rotation against the gyro's: standstill, slip and lift.
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+namespace pilotage {
+
+/// What wheels and gyro together say of the motion.
+enum class MotionState : std::uint8_t {
+    driving,
+    standing,  ///< neither wheels nor gyro move
+    slipping,  ///< the wheels turn the robot by another angle than the gyro
+    lifted,    ///< the gyro turns while the wheels stand still
+};
+
+/// Rotation over one step, as wheels and gyro have it.
+struct RotationStep {
+    double dt_s = 0;
+    bool ticked = false;  ///< a wheel moved
+    double distance_m = 0;
+    double wheel_turn_rad = 0, wheel_variance = 0;
+    std::optional<double> gyro_turn_rad;  ///< less the bias; none where the gyro was silent
+};
+
+/// How sure the comparison may be.
+struct RotationTolerance {
+    double gyro_variance_per_s = 0;  ///< of the turn
+    double gyro_bias_variance = 0;
+    double tick_rad = 0;  ///< rotation of the robot by one tick of one wheel
+};
+
+/// Judges windows of half a second: long enough for the gyro's noise to fall below a tick, short
+/// enough to tell in time.
+class MotionCheck {
+   public:
+    /// What a window brought to light.
+    struct Window {
+        double duration_s = 0, distance_m = 0;
+        double gyro_turn_rad = 0;     ///< less the bias
+        double disagreement_rad = 0;  ///< wheels less gyro, 0 where they agree
+        int in_a_row = 0;             ///< windows with the same verdict
+    };
+
+    /// \return whether a window has ended; `window()` and `state()` then speak of it
+    bool add(const RotationStep& step, const RotationTolerance& tolerance) noexcept {
+        released_rad_ = 0;
+        if (step.ticked && (state_ == MotionState::standing || state_ == MotionState::lifted)) {
+            if (state_ == MotionState::standing) released_rad_ = open_.gyro_turn_rad;
+            become(MotionState::driving);
+            open_ = Sums{};
+        }
+        open_.duration_s += step.dt_s;
+        open_.distance_m += std::abs(step.distance_m);
+        open_.ticked = open_.ticked || step.ticked;
+        open_.wheel_turn_rad += step.wheel_turn_rad;
+        open_.wheel_variance += step.wheel_variance;
+        open_.heard = open_.heard && step.gyro_turn_rad;
+        if (step.gyro_turn_rad) open_.gyro_turn_rad += *step.gyro_turn_rad;
+        if (open_.duration_s < kWindow_s) return false;
+        judge(tolerance);
+        open_ = Sums{};
+        return true;
+    }
+
+    [[nodiscard]] MotionState state() const noexcept { return state_; }
+    [[nodiscard]] const Window& window() const noexcept { return window_; }
+    /// What the gyro told since the last whole window of standstill, and was not believed then: the
+    /// robot has begun to move.
+    [[nodiscard]] double released_rad() const noexcept { return released_rad_; }
+    /// While slipping: the gyro tells of a larger turn than the wheels, or of one the other way,
+    /// which slip does not explain.
+    [[nodiscard]] bool gyro_suspect() const noexcept { return gyro_suspect_; }
+
+   private:
+    static constexpr double kWindow_s = 0.5;
+    static constexpr double kSigmas = 4.5;
+    static constexpr double kScaleError = 0.15;  ///< of the wheels' turn, which every skid has
+
+    struct Sums {
+        double duration_s = 0, distance_m = 0;
+        double wheel_turn_rad = 0, wheel_variance = 0, gyro_turn_rad = 0;
+        bool ticked = false, heard = true;
+    };
+
+    void judge(const RotationTolerance& t) noexcept {
+        const double time_s = open_.duration_s;
+        const double variance = open_.wheel_variance + t.gyro_variance_per_s * time_s +
+                                t.gyro_bias_variance * time_s * time_s;
+        const double slack = 2 * t.tick_rad + kScaleError * std::abs(open_.wheel_turn_rad);
+        const double difference = open_.wheel_turn_rad - open_.gyro_turn_rad;
+        const bool agree =
+            !open_.heard || std::abs(difference) <= kSigmas * std::sqrt(variance) + slack;
+        gyro_suspect_ = !agree && open_.ticked &&
+                        (open_.gyro_turn_rad * open_.wheel_turn_rad < 0 ||
+                         std::abs(open_.gyro_turn_rad) > std::abs(open_.wheel_turn_rad));
+        if (state_ == MotionState::standing && !open_.ticked && !agree)
+            released_rad_ = open_.gyro_turn_rad;
+        become(open_.ticked ? (agree ? MotionState::driving : MotionState::slipping)
+                            : (agree ? MotionState::standing : MotionState::lifted));
+        window_.duration_s = time_s;
+        window_.distance_m = open_.distance_m;
+        window_.gyro_turn_rad = open_.heard ? open_.gyro_turn_rad : 0;
+        window_.disagreement_rad = agree ? 0 : difference;
+        ++window_.in_a_row;
+    }
+
+    void become(MotionState state) noexcept {
+        if (state != state_) window_.in_a_row = 0;
+        state_ = state;
+    }
+
+    MotionState state_ = MotionState::driving;
+    bool gyro_suspect_ = false;
+    double released_rad_ = 0;
+    Sums open_;
+    Window window_;
+};
+
+}  // namespace pilotage

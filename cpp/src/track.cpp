@@ -1,0 +1,335 @@
+#include "pilotage/track.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "pilotage/examine.hpp"
+
+namespace pilotage {
+
+namespace {
+
+constexpr double kChiSquare95 = 5.991464547107979;  // of two degrees of freedom
+
+// How far a robot may be off that nobody measures, in sigmas.
+constexpr double kLeastSpeed_m_s = 0.5;   // without a measured speed
+constexpr double kLeastTurn_rad_s = 0.3;  // without a measured turn
+constexpr double kCarried_m_s = 1;        // whoever carries it walks
+constexpr double kCrooked = 0.3;          // of a distance driven unseen: how far off a plain arc
+constexpr double kMoved_m = 0.3;          // while it was switched off
+constexpr double kMoved_rad = 0.1;
+// Beyond these, more doubt tells nothing more.
+constexpr double kNoIdea_m = 10;
+constexpr double kNoIdea_rad = 1;
+
+double square(double v) noexcept {
+    return v * v;
+}
+
+/// Variances of a pose that is off by so much.
+Pose<double> variances(double sigma_m, double sigma_rad) noexcept {
+    return {square(sigma_m), square(sigma_m), square(sigma_rad)};
+}
+
+/// Largest standard deviation of the position in any direction, squared.
+template <typename Scalar, int N>
+double largest_position_variance(const Ekf<Scalar, N>& filter) noexcept {
+    const auto p = filter.covariance().template topLeftCorner<2, 2>().template cast<double>();
+    const double mean = (p(0, 0) + p(1, 1)) / 2, half = (p(0, 0) - p(1, 1)) / 2;
+    return mean + std::hypot(half, p(1, 0));
+}
+
+/// So many times the first one's variance comes with the n-th of equal errors in a row: they add up
+/// to one error of n times the size.
+double growth(int n) noexcept {
+    return 2 * n - 1;
+}
+
+}  // namespace
+
+template <typename Scalar, int N>
+Tracker<Scalar, N>::Tracker(const Params& params, MarkerMap map)
+    : params_(params), map_(std::move(map)) {
+    const WheelParams& wheels = params.wheels;
+    tick_rad_ = std::max(std::abs(wheels.left_m_per_tick), std::abs(wheels.right_m_per_tick)) /
+                wheels.track_width_m;
+    for (int i = 0; i < params.sensor_count; ++i) {
+        const MarkerSensorParams& sensor = params.sensors[i];
+        policies_[i] = Policy::make(sensor.fusion, sensor.gate_false_reject, sensor.student_t_dof);
+    }
+}
+
+template <typename Scalar, int N>
+Track<Scalar, N> Tracker<Scalar, N>::start(const Pose<double>& pose,
+                                           const Matrix<double, 3>& covariance) const noexcept {
+    Track track;
+    track.filter = start_filter<Scalar, N>(Pose<Scalar>(pose.template cast<Scalar>()),
+                                           covariance.template cast<Scalar>(), params_);
+    return track;
+}
+
+template <typename Scalar, int N>
+Checkpoint Tracker<Scalar, N>::checkpoint(const Track& track) const noexcept {
+    Checkpoint c;
+    c.utime = track.utime;
+    c.ticks = track.ticks.last();
+    c.states = N;
+    c.state.template head<N>() = track.filter.state().template cast<double>();
+    c.covariance.template topLeftCorner<N, N>() = track.filter.covariance().template cast<double>();
+    return c;
+}
+
+template <typename Scalar, int N>
+bool Tracker<Scalar, N>::restore(const Checkpoint& from, Track& track) const noexcept {
+    const Matrix<double, kCalibratedStates>& p = from.covariance;
+    if (!from.state.allFinite() || !p.allFinite() || from.state.cwiseAbs().maxCoeff() > kFarthest ||
+        p.cwiseAbs().maxCoeff() > kUnsurest || !(p.isApprox(p.transpose())) || !is_covariance(p))
+        return false;
+    track = start(from.state.template head<3>(), p.template topLeftCorner<3, 3>());
+    if (from.states == N)
+        track.filter = Ekf<Scalar, N>(from.state.template head<N>().template cast<Scalar>(),
+                                      p.template topLeftCorner<N, N>().template cast<Scalar>());
+    track.ticks.start(from.ticks);
+    track.restored = true;
+    return true;
+}
+
+template <typename Scalar, int N>
+void Tracker<Scalar, N>::begin(Track& track, const Sample& motion) const noexcept {
+    track.utime = motion.utime;
+    track.agreed_utime = motion.utime;
+    track.started = true;
+    (void)track.gyro.take(motion.utime, params_.motion.max_gap_s);
+    if (params_.motion.source == MotionSource::encoders) {
+        const EncoderTicks& now = motion.payload.ticks;
+        const bool unmoved =
+            track.restored && track.ticks.last() == now && (now.left != 0 || now.right != 0);
+        track.ticks.start(now);
+        if (unmoved) return track.agreement.confirm();
+    }
+    if (track.restored) doubt(track, variances(kMoved_m, kMoved_rad));
+}
+
+template <typename Scalar, int N>
+Increment<Scalar> Tracker<Scalar, N>::measure(Track& track, const Sample& motion,
+                                              Verdict& verdict) const noexcept {
+    const MotionParams& params = params_.motion;
+    const bool by_ticks = params.source == MotionSource::encoders;
+    const double dt_s = seconds_between<double>(track.utime, motion.utime);
+    const bool gap = dt_s > params.max_gap_s;
+    const std::optional<double> gyro_turn_rad = track.gyro.take(motion.utime, params.max_gap_s);
+    verdict = Verdict::fused;
+
+    RotationStep rotation;
+    Increment<Scalar> u;
+    if (by_ticks) {
+        const EncoderTicks before = track.ticks.last(), now = motion.payload.ticks;
+        double left_m = 0, right_m = 0;
+        if (track.ticks.advance(now, dt_s, params_.wheels, left_m, right_m) == TickFault::reset)
+            verdict = Verdict::counter_reset;
+        u = from_wheels(Scalar(left_m), Scalar(right_m), Scalar(dt_s),
+                        Scalar(params_.wheels.track_width_m), params_.noise);
+        rotation.ticked = !(now == before);
+        rotation.wheel_variance = double(u.covariance(1, 1));
+    } else {
+        const BodyVelocity& velocity = motion.payload.velocity;
+        u = from_velocity(Scalar(velocity.v_m_s), Scalar(velocity.omega_rad_s),
+                          Scalar(std::fmin(dt_s, params.max_gap_s)), params_.noise);
+        rotation.ticked = velocity.v_m_s != 0 || velocity.omega_rad_s != 0;
+        // Of such a message nobody says that it comes from wheels.
+        if (rotation.ticked) rotation.wheel_variance = kNoIdea_rad;
+    }
+    u.dt_s = Scalar(dt_s);
+    Pose<double> doubt = Pose<double>::Zero();
+    if (verdict == Verdict::counter_reset)
+        doubt = farthest(track, dt_s, gyro_turn_rad.has_value());
+    else if (gap && by_ticks)
+        doubt = variances(kCrooked * double(u.distance_m), 0);
+    else if (gap)
+        doubt = farthest(track, dt_s - params.max_gap_s, gyro_turn_rad.has_value());
+
+    rotation.dt_s = dt_s;
+    rotation.distance_m = double(u.distance_m);
+    rotation.wheel_turn_rad = double(u.turn_rad);
+    if (gyro_turn_rad) {
+        rotation.gyro_turn_rad = *gyro_turn_rad - gyro_bias(track) * dt_s;
+        if (params.heading != HeadingSource::wheels && !track.check.gyro_suspect())
+            u = with_gyro(u, Scalar(*gyro_turn_rad), params.heading, params_.noise);
+    }
+    const bool ended = track.check.add(rotation, tolerance(track));
+    if (track.check.state() == MotionState::standing) u = standstill(u);
+    u.turn_rad += Scalar(track.check.released_rad());
+    if (ended) doubt += judged_window(track);
+    u.doubt = useful(track, doubt);
+    if (dt_s > 0) track.motion = u;
+    track.driven = calibrated_motion(track.filter.state(), u, params_);
+    return u;
+}
+
+/// What a whole window of motion brought to light, after the event: variances of the pose.
+template <typename Scalar, int N>
+Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
+    const MotionCheck::Window& window = track.check.window();
+    Pose<double> doubt = Pose<double>::Zero();
+    switch (track.check.state()) {
+        case MotionState::standing:
+            if (window.in_a_row > 1) learn_bias(track);  // the first window moved the heading
+            break;
+        case MotionState::lifted:
+            doubt = variances(kCarried_m_s * window.duration_s, 0) * growth(window.in_a_row);
+            break;
+        case MotionState::slipping: {
+            const double off_rad = std::abs(window.disagreement_rad);
+            const double off_m = off_rad * (params_.wheels.track_width_m + window.distance_m) / 2;
+            const bool gyro_knows =
+                params_.motion.heading == HeadingSource::gyro && !track.check.gyro_suspect();
+            doubt = variances(off_m, gyro_knows ? 0 : off_rad) * growth(window.in_a_row);
+            break;
+        }
+        case MotionState::driving:
+            break;
+    }
+    track.doubted = track.agreement.disagrees() ? track.doubted + 1 : 0;
+    if (track.doubted > 0)
+        doubt += farthest(track, window.duration_s, false) * growth(track.doubted);
+    return doubt;
+}
+
+/// Variances of the pose after a time of which nothing is known but how fast the robot was.
+template <typename Scalar, int N>
+Pose<double> Tracker<Scalar, N>::farthest(const Track& track, double time_s,
+                                          bool turn_known) const noexcept {
+    double speed_m_s = kLeastSpeed_m_s, rate_rad_s = turn_known ? 0 : kLeastTurn_rad_s;
+    if (const auto dt_s = double(track.motion.dt_s); dt_s > 0) {
+        speed_m_s = std::max(speed_m_s, std::abs(double(track.motion.distance_m)) / dt_s);
+        if (!turn_known)
+            rate_rad_s = std::max(rate_rad_s, std::abs(double(track.motion.turn_rad)) / dt_s);
+    }
+    return variances(speed_m_s * time_s, rate_rad_s * time_s);
+}
+
+/// As much of it as brings the filter to having no idea.
+template <typename Scalar, int N>
+Pose<Scalar> Tracker<Scalar, N>::useful(const Track& track,
+                                        const Pose<double>& doubt) const noexcept {
+    const double most[] = {square(kNoIdea_m), square(kNoIdea_m), square(kNoIdea_rad)};
+    return entries<Pose<Scalar>>([&](int i, int) {
+        const double room = std::max(0.0, most[i] - double(track.filter.covariance()(i, i)));
+        return Scalar(std::min(doubt[i], room));
+    });
+}
+
+template <typename Scalar, int N>
+void Tracker<Scalar, N>::doubt(Track& track, const Pose<double>& variances) const noexcept {
+    Increment<Scalar> u;
+    u.still = true;
+    u.doubt = useful(track, variances);
+    drive(track, u);
+}
+
+template <typename Scalar, int N>
+RotationTolerance Tracker<Scalar, N>::tolerance(const Track& track) const noexcept {
+    RotationTolerance t;
+    t.gyro_variance_per_s = square(params_.noise.gyro_rad_per_sqrt_s);
+    if constexpr (N == kCalibratedStates)
+        t.gyro_bias_variance = double(track.filter.covariance()(kGyroBias, kGyroBias));
+    if (params_.motion.source == MotionSource::encoders) t.tick_rad = tick_rad_;
+    return t;
+}
+
+template <typename Scalar, int N>
+double Tracker<Scalar, N>::gyro_bias(const Track& track) const noexcept {
+    if constexpr (N == kCalibratedStates) return double(track.filter.state()[kGyroBias]);
+    return params_.gyro_bias.initial;
+}
+
+/// Zero-rotation update: what the gyro told of a robot that stood is its bias.
+template <typename Scalar, int N>
+void Tracker<Scalar, N>::learn_bias(Track& track) const noexcept {
+    if constexpr (N == kCalibratedStates) {
+        const MotionCheck::Window& window = track.check.window();
+        Vector<Scalar, 1> innovation, variance;
+        innovation << Scalar(window.gyro_turn_rad / window.duration_s);
+        variance << Scalar(square(params_.noise.gyro_rad_per_sqrt_s) / window.duration_s);
+        Matrix<Scalar, 1, N> h = Matrix<Scalar, 1, N>::Zero();
+        h(0, kGyroBias) = 1;
+        (void)track.filter.correct_independent(innovation, h, variance, Policy{});
+    }
+}
+
+template <typename Scalar, int N>
+SightingReport Tracker<Scalar, N>::sight(Track& track, const Sample& sample) const noexcept {
+    const Policy& policy = policies_[sample.source];
+    const SightingReport report =
+        fuse_sighting(track.filter, sample, map_, params_.sensors[sample.source], policy);
+    if (report.verdict == Verdict::fused || report.verdict == Verdict::gate) {
+        track.agreement.add(report.nis, report.dof, policy.gate_nis[report.dof - 1]);
+        if (track.agreement.last_agreed()) track.agreed_utime = sample.utime;
+    }
+    return report;
+}
+
+template <typename Scalar, int N>
+void Tracker<Scalar, N>::reset(Track& track, const PoseReset& to) const noexcept {
+    Vector<Scalar, N> x = track.filter.state();
+    Matrix<Scalar, N> p = track.filter.covariance();
+    x.template head<3>() = Vector<double, 3>(to.pose).template cast<Scalar>();
+    x[kHeading] = wrap(x[kHeading]);
+    p.template topRows<3>().setZero();
+    p.template leftCols<3>().setZero();
+    p.template topLeftCorner<3, 3>() = covariance_of(to).template cast<Scalar>();
+    track.filter = Ekf<Scalar, N>(x, p);
+    track.agreement.doubt();
+    ++track.resets;
+}
+
+template <typename Scalar, int N>
+Track<Scalar, N> Tracker<Scalar, N>::predicted(Track track, std::int64_t utime) const noexcept {
+    const auto ahead_s = seconds_between<double>(track.utime, utime);
+    if (!track.started || !(ahead_s > 0)) return track;
+    const double known_s = std::min(ahead_s, params_.motion.max_gap_s);
+    Increment<Scalar> u;
+    if (track.motion.dt_s > 0) u = track.motion.part(Scalar(known_s) / track.motion.dt_s);
+    u.dt_s = Scalar(ahead_s);
+    u.doubt = useful(track, farthest(track, ahead_s - known_s, false));
+    drive(track, u);
+    track.utime = utime;
+    return track;
+}
+
+template <typename Scalar, int N>
+Assessment Tracker<Scalar, N>::assess(const Track& track, double silent_s) const noexcept {
+    const StatusParams& p = params_.status;
+    if (!track.started) return {Status::waiting, Reason::no_motion, 0, 0};
+    const Agreement& agreement = track.agreement;
+    const double disagreement = agreement.mean();
+    if (!agreement.confirmed())
+        return agreement.disagrees()
+                   ? Assessment{Status::initializing, Reason::disagreement, disagreement,
+                                Agreement::kTooMuch}
+                   : Assessment{Status::initializing, Reason::unconfirmed,
+                                double(agreement.in_a_row()), double(Agreement::kConfirming)};
+    if (agreement.disagrees())
+        return {Status::lost, Reason::disagreement, disagreement, Agreement::kTooMuch};
+    const double radius_m = std::sqrt(kChiSquare95 * largest_position_variance(track.filter));
+    const double unfixed_s = seconds_between<double>(track.agreed_utime, track.utime);
+    if (silent_s > p.lost_after_s)
+        return {Status::lost, Reason::motion_gap, silent_s, p.lost_after_s};
+    if (!(radius_m <= p.lost_limit_m))
+        return {Status::lost, Reason::unsure, radius_m, p.lost_limit_m};
+    if (silent_s > params_.motion.max_gap_s)
+        return {Status::dead_reckoning, Reason::motion_gap, silent_s, params_.motion.max_gap_s};
+    if (unfixed_s > p.dead_reckoning_after_s)
+        return {Status::dead_reckoning, Reason::no_sighting, unfixed_s, p.dead_reckoning_after_s};
+    if (!(radius_m <= p.alert_limit_m))
+        return {Status::dead_reckoning, Reason::unsure, radius_m, p.alert_limit_m};
+    return {Status::ok, Reason::none, 0, 0};
+}
+
+template class Tracker<double, kPoseStates>;
+template class Tracker<double, kCalibratedStates>;
+template class Tracker<float, kPoseStates>;
+template class Tracker<float, kCalibratedStates>;
+
+}  // namespace pilotage

@@ -1,0 +1,12 @@
+"""What a check finds."""
+
+from typing import NamedTuple
+
+
+class Finding(NamedTuple):
+    """Something that deserves a second look."""
+
+    key: str
+    """Where: a dotted key, or a section."""
+    problem: str
+    remedy: str

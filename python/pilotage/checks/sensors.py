@@ -1,0 +1,89 @@
+"""Sensors: their mounting, their noise, and whether there is anything to see."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from .. import Config
+from .finding import Finding
+
+MOUNTING = ("x_m", "y_m", "z_m", "yaw_rad")
+SMALLEST = {"sigma_bearing_rad": 1e-4, "sigma_elevation_rad": 1e-4, "sigma_range_m": 1e-3}
+"""What a surveyor's total station reaches: no sensor on a robot sees better."""
+
+
+def nothing_to_see(config: Config) -> Iterator[Finding]:
+    """Find a missing map or missing sensors."""
+    if len(config.map) == 0:
+        yield Finding(
+            "map",
+            "missing: there is nothing to see, and pilotage-node does not start",
+            "name a file of markers with map: here, or with --map",
+        )
+    if not config.sensors:
+        yield Finding(
+            "sensors",
+            "missing: nothing sees the markers, and pilotage-node does not start",
+            "name at least one, for instance sensors: {camera: {z_m: 0.35}}",
+        )
+
+
+def never_mounted(config: Config) -> Iterator[Finding]:
+    """Find sensors in the robot's origin, where there is none."""
+    for name in config.sensors:
+        if all(config[f"sensors.{name}.{part}"] == 0.0 for part in MOUNTING):
+            yield Finding(
+                f"sensors.{name}",
+                "mounted in the robot's origin, on the ground between the wheels",
+                f"measure {', '.join(MOUNTING)}",
+            )
+
+
+def noise_by_default(config: Config) -> Iterator[Finding]:
+    """Find sensors of which nobody said how well they see."""
+    default = Config()
+    for name in config.sensors:
+        keys = [f"sensors.{name}.{sigma}" for sigma in SMALLEST]
+        if all(config[key] == default[key] for key in keys):
+            yield Finding(
+                f"sensors.{name}",
+                "the default noise in every component",
+                f"measure it, and set {', '.join(SMALLEST)}, those that it gives",
+            )
+
+
+def noise_too_small(config: Config) -> Iterator[Finding]:
+    """Find a noise that no sensor reaches, which makes an estimate confidently wrong."""
+    for name in config.sensors:
+        for sigma, smallest in SMALLEST.items():
+            value = config[f"sensors.{name}.{sigma}"]
+            if value < smallest:
+                yield Finding(
+                    f"sensors.{name}.{sigma}",
+                    f"{value:g}, smaller than a surveyor's instrument reaches ({smallest:g})",
+                    "include the errors of mounting and detection; a replay's NIS tells how much",
+                )
+
+
+def elevation_says_nothing(config: Config) -> Iterator[Finding]:
+    """Find elevations of markers that are all as high as the sensor."""
+    default = Config()
+    heights = config.map.positions[:, 2]
+    for name in config.sensors:
+        sigma, z = f"sensors.{name}.sigma_elevation_rad", f"sensors.{name}.z_m"
+        measured = config[sigma] != default[sigma]  # who has no elevations leaves it alone
+        if measured and heights.size and np.all(heights == config[z]):
+            yield Finding(
+                z,
+                f"{config[z]:g}, and every marker is as high: elevations tell no distance",
+                "measure the sensor's and the markers' height (z) above the ground",
+            )
+
+
+CHECKS = (
+    nothing_to_see,
+    never_mounted,
+    noise_by_default,
+    noise_too_small,
+    elevation_says_nothing,
+)

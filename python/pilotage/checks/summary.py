@@ -1,0 +1,109 @@
+"""A configuration in words."""
+
+import math
+
+import numpy as np
+
+from .. import Config, MarkerMap
+from .markers import spacing
+
+CLOCK = {
+    "utime": "the sender's stamp",
+    "receive": "arrival",
+    "mapped": "the sender's stamp, mapped to our clock",
+}
+
+
+def summarize(config: Config, map_name: str = "") -> dict[str, list[str]]:
+    """Return lines by section: motion, inputs, sensors, map, start, outputs."""
+    return {
+        "motion": _motion(config),
+        "inputs": _inputs(config),
+        "sensors": [line for name in config.sensors for line in _sensor(config, name)] or ["none"],
+        "map": _map(config.map, map_name),
+        "start": [_start(config)],
+        "outputs": [
+            f"pose_t on {config['output.pose']}, marker_report_t on {config['output.report']}, "
+            f"status_t on {config['output.status']}"
+        ],
+    }
+
+
+def _motion(config: Config) -> list[str]:
+    source, heading = config["motion.source"], config["motion.heading"]
+    own = "the wheels" if source == "encoders" else "its omega"
+    turn = {"gyro": "the gyro", "wheels": own, "both": f"the gyro and {own}"}[heading]
+    states = ("gyro_bias", "distance_scale", "rotation_scale")
+    moving = [
+        state
+        for state in states
+        if config[f"calibration.{state}.sigma"] > 0 or config[f"calibration.{state}.walk"] > 0
+    ]
+    estimated = f"estimated on the way: {', '.join(moving) or 'pose only'}"
+    return [f"{source}, heading from {turn}", estimated]
+
+
+def _inputs(config: Config) -> list[str]:
+    gyro = [] if config["motion.heading"] == "wheels" else ["gyro"]
+    sensors = [f"sensors.{name}" for name in config.sensors]
+    names = [config["motion.source"], *gyro, *sensors, "pose_reset"]
+    channels = [str(config[f"{name}.channel"]) for name in names]
+    shown = [name.removeprefix("sensors.") for name in names]
+    width, wide = max(map(len, shown)), max(map(len, channels))
+    lines = []
+    for name, label, channel in zip(names, shown, channels, strict=True):
+        latency = 1e3 * config[f"{name}.latency_s"]
+        less = f", less {latency:g} ms" if latency else ""
+        time = CLOCK[config[f"{name}.time"]]
+        lines.append(f"{label:<{width}}  {channel:<{wide}}  dated by {time}{less}")
+    return lines
+
+
+def _sensor(config: Config, name: str) -> list[str]:
+    def of(key: str) -> float:
+        return float(config[f"sensors.{name}.{key}"])
+
+    per_m = f" + {of('sigma_range_per_m'):g} of it" if of("sigma_range_per_m") else ""
+    return [
+        f"{name} at x {of('x_m'):g} m, y {of('y_m'):g} m, z {of('z_m'):g} m, "
+        f"yaw {math.degrees(of('yaw_rad')):.3g}°",
+        f"  σ of bearing {math.degrees(of('sigma_bearing_rad')):.3g}°, "
+        f"elevation {math.degrees(of('sigma_elevation_rad')):.3g}°, "
+        f"range {of('sigma_range_m'):g} m{per_m}; fusion {config[f'sensors.{name}.fusion']}",
+    ]
+
+
+def _map(markers: MarkerMap, name: str) -> list[str]:
+    if len(markers) == 0:
+        return ["none"]
+    low, high = markers.positions.min(axis=0), markers.positions.max(axis=0)
+    height = f"{low[2]:.3g} m" if low[2] == high[2] else f"{low[2]:.3g} m to {high[2]:.3g} m"
+    lines = [
+        f"{len(markers)} markers" + (f" from {name}" if name else ""),
+        f"over {high[0] - low[0]:.1f} m × {high[1] - low[1]:.1f} m, at a height of {height}",
+        f"ids {markers.ids[0]} to {markers.ids[-1]}, {_gaps(markers)}",
+    ]
+    if found := spacing(markers):
+        lines.append(f"closest: {found.closest[0]} and {found.closest[1]}, {found.least:.3g} m")
+    return lines
+
+
+def _gaps(markers: MarkerMap) -> str:
+    """Count the ids that are missing in between, and name the first."""
+    ids = markers.ids.astype(np.int64)
+    missing = int(ids[-1] - ids[0]) + 1 - ids.size
+    if missing == 0:
+        return "none missing"
+    before = int(np.flatnonzero(np.diff(ids) > 1)[0])
+    return f"{missing} missing in between, the first {ids[before] + 1}"
+
+
+def _start(config: Config) -> str:
+    if math.isnan(config["initial.x_m"]):
+        return f"awaited as pose_reset_t on {config['pose_reset.channel']}"
+    return (
+        f"x {config['initial.x_m']:g} m, y {config['initial.y_m']:g} m, "
+        f"σ {config['initial.sigma_position_m']:g} m; "
+        f"heading {math.degrees(config['initial.heading_rad']):.3g}°, "
+        f"σ {math.degrees(config['initial.sigma_heading_rad']):.3g}°"
+    )

@@ -1,0 +1,147 @@
+"""What a simulated robot measures and records, and a configuration that suits it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import Config, MarkerMap, Recording
+from ..evaluate import TRAJECTORY
+from .drives import Drive
+from .scenario import Scenario
+from .streams import Stream
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """What a simulated robot recorded, what was true, and a configuration that suits it.
+
+    `truth` has rows of `evaluate.TRAJECTORY`.
+    """
+
+    recording: Recording
+    truth: NDArray[np.void]
+    config: Config
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What the robot's sensors sent on a drive, before it is encoded.
+
+    Attributes
+    ----------
+    sightings : Stream by the sensor's name
+    """
+
+    drive: Drive
+    markers: MarkerMap
+    encoders: Stream
+    gyro: Stream
+    sightings: dict[str, Stream]
+
+    def record(self) -> Recording:
+        """Encode everything, in order of arrival."""
+        recording = Recording()
+        gyro, encoders = self.gyro, self.encoders
+        recording.add_gyro("GYRO", gyro.utime, gyro.value[:, 0], gyro.received, gyro.seq)
+        left, right = _ticks(encoders.value).T
+        recording.add_encoders(
+            "ENCODERS", encoders.utime, left, right, encoders.received, encoders.seq
+        )
+        for sensor, seen in self.sightings.items():
+            bearing, elevation, slant = seen.value.T
+            recording.add_sightings(
+                "MARKERS",
+                sensor,
+                seen.utime,
+                seen.id,
+                bearing,
+                elevation,
+                slant,
+                seen.received,
+                seen.seq,
+            )
+        recording.add_reference("REFERENCE", self.drive.utime, *self.drive.pose.T)
+        recording.sort()
+        return recording
+
+    def truth(self) -> NDArray[np.void]:
+        """Return the true trajectory, rows of `evaluate.TRAJECTORY`."""
+        truth = np.empty(len(self.drive.utime), TRAJECTORY)
+        truth["utime"] = self.drive.utime
+        for name, column in zip(("x", "y", "heading"), self.drive.pose.T, strict=True):
+            truth[name] = column
+        return truth
+
+
+def measure(scenario: Scenario, rng: np.random.Generator) -> Measured:
+    """Drive and measure; all chance comes from `rng`."""
+    markers = scenario.site(rng)
+    drive = scenario.drive(scenario.duration_s)
+    rates = Stream.sent(drive.utime, scenario.gyro.rates(drive, rng)[:, None])
+    ticks = Stream.sent(drive.utime, scenario.encoders.ticks(drive, rng).astype(np.float64))
+    sightings = {}
+    for camera in scenario.cameras:
+        utime, marker, value = camera.sightings(drive, markers, rng)
+        seen = Stream.sent(utime, value, marker)
+        sightings[camera.name] = seen.late(scenario.latency_s, scenario.jitter_s, rng)
+    return Measured(
+        drive,
+        markers,
+        encoders=ticks.late(0.0, scenario.jitter_s, rng),
+        gyro=rates.late(0.0, scenario.jitter_s, rng),
+        sightings=sightings,
+    )
+
+
+def simulate(
+    scenario: Scenario,
+    rng: np.random.Generator,
+    spoil: Callable[[Measured], Measured] | None = None,
+) -> Simulation:
+    """Drive, measure and record; all chance comes from `rng`. `spoil` may change what is sent."""
+    measured = measure(scenario, rng)
+    if spoil is not None:
+        measured = spoil(measured)
+    config = suitable_config(scenario, measured.markers, measured.drive)
+    return Simulation(measured.record(), measured.truth(), config)
+
+
+def suitable_config(scenario: Scenario, markers: MarkerMap, drive: Drive) -> Config:
+    """Return the configuration of a robot whose engineer knows its sensors, from the true start."""
+    config = Config()
+    config.map = markers
+    encoders, gyro = scenario.encoders, scenario.gyro
+    values: dict[str, float] = {
+        "encoders.left_m_per_tick": encoders.m_per_tick,
+        "encoders.right_m_per_tick": encoders.m_per_tick,
+        "encoders.track_width_m": encoders.track_width_m,
+        "noise.wheel_m_per_sqrt_m": encoders.noise_m_per_sqrt_m,
+        "noise.gyro_rad_per_sqrt_s": gyro.noise_rad_per_sqrt_s,
+        "noise.position_m_per_sqrt_m": 0.0,  # all that is uncertain of this motion is its sensors
+        "calibration.gyro_bias.sigma": max(abs(gyro.bias_rad_s), 1e-3),
+        "calibration.gyro_bias.walk": gyro.walk_rad_s_per_sqrt_s,
+        "calibration.distance_scale.sigma": max(encoders.slip, 0.01),
+    }
+    for name, value in zip(("x_m", "y_m", "heading_rad"), drive.pose[0], strict=True):
+        values[f"initial.{name}"] = float(value)
+    for camera in scenario.cameras:
+        prefix = f"sensors.{camera.name}."
+        for name, value in zip(("x_m", "y_m", "z_m", "yaw_rad"), camera.mounting, strict=True):
+            values[prefix + name] = value
+        for name, sigma in zip(
+            ("sigma_bearing_rad", "sigma_elevation_rad", "sigma_range_m"), camera.sigma, strict=True
+        ):
+            if sigma > 0:
+                values[prefix + name] = sigma
+    for key, number in values.items():
+        config[key] = number
+    return config
+
+
+def _ticks(value: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Whole ticks; not a number becomes what a cast in C makes of it on most machines."""
+    missing = np.isnan(value)
+    ticks = np.rint(np.where(missing, 0.0, value)).astype(np.int64)
+    return np.where(missing, np.iinfo(np.int64).min, ticks)
