@@ -23,10 +23,6 @@ namespace {
     std::abort();
 }
 
-void require_none(const std::string& flaw, const char* where) {
-    if (!flaw.empty()) fail(std::string(where) + ": " + flaw);
-}
-
 /// An engine that is watched from outside.
 class Witness final : private EngineOutput {
    public:
@@ -35,6 +31,7 @@ class Witness final : private EngineOutput {
 
     void take(const Action& action) {
         const std::int64_t before = received(), samples = samples_in(action);
+        went_back_ = jumped_ = false;
         if (action.kind == Action::Kind::tick) engine_.tick(action.received, action.drops);
         if (action.kind == Action::Kind::message) {
             // From memory of just this size, so that a sanitizer sees a byte read too many.
@@ -44,8 +41,10 @@ class Witness final : private EngineOutput {
         }
         if (received() != before + samples)
             fail("a message on " + action.channel + " is miscounted");
+        if (went_back_ && !jumped_) fail("a pose goes back in time, and no pose_jump_t says so");
     }
 
+    /// What was kept on the way has to be good for a start.
     void finish() {
         engine_.finish();
         engine_.tick(0, 0);
@@ -55,23 +54,33 @@ class Witness final : private EngineOutput {
 
    private:
     void message(const std::string& channel, const std::uint8_t* data, std::size_t size) override {
-        if (channel == engine_.config().output.pose) return look_at(decoded<pose_t>(data, size));
-        if (channel == engine_.config().output.status)
-            return require_none(flaw_in(decoded<status_t>(data, size)), "status_t");
-        require_none(flaw_in(decoded<marker_report_t>(data, size)), "marker_report_t");
+        const OutputParams& out = engine_.config().output;
+        if (channel == out.pose) {
+            const auto pose = sound<pose_t>(channel, data, size);
+            went_back_ = went_back_ || pose.utime < newest_;
+            newest_ = pose.utime;
+        } else if (channel == out.jump) {
+            sound<pose_jump_t>(channel, data, size);
+            jumped_ = true;
+        } else if (channel == out.report) {
+            sound<marker_report_t>(channel, data, size);
+        } else if (channel == out.status) {
+            sound<status_t>(channel, data, size);
+        } else if (channel == out.odometry) {
+            sound<odometry_t>(channel, data, size);
+        } else {
+            fail("a message on " + channel);
+        }
     }
 
-    void look_at(const pose_t& pose) {
-        require_none(flaw_in(pose), "pose_t");
-        if (pose.utime < newest_) fail("pose_t: goes back in time");
-        newest_ = pose.utime;
-    }
+    void checkpoint(const std::vector<std::uint8_t>& bytes) override { checkpoint_ = bytes; }
 
     template <typename Message>
-    static Message decoded(const std::uint8_t* data, std::size_t size) {
+    static Message sound(const std::string& channel, const std::uint8_t* data, std::size_t size) {
         Message message;
         if (message.decode(data, 0, static_cast<int>(size)) != static_cast<int>(size))
-            fail("what is published cannot be decoded");
+            fail(channel + ": cannot be decoded");
+        if (const std::string flaw = flaw_in(message); !flaw.empty()) fail(channel + ": " + flaw);
         return message;
     }
 
@@ -98,6 +107,8 @@ class Witness final : private EngineOutput {
     Engine engine_;
     std::set<std::string> channels_;
     std::int64_t newest_ = std::numeric_limits<std::int64_t>::min();
+    bool went_back_ = false, jumped_ = false;  // in this step
+    std::vector<std::uint8_t> checkpoint_;
 };
 
 }  // namespace
