@@ -17,7 +17,7 @@ SOURCES := $(shell find cpp bindings lcmtypes configs python cmake CMakeLists.tx
 BUILD_REQUIRES := $(shell sed -n 's/^requires = \[\(.*\)\]/\1/p' pyproject.toml | tr ',' ' ')
 CPP_FILES = $(shell find cpp bindings tests bench examples -name '*.[ch]pp' 2>/dev/null)
 
-.PHONY: help demo test test-cpp test-python lint format tidy stubs wheel bench sanitize fuzz clean
+.PHONY: help demo test test-cpp test-python lint format tidy stubs wheel bench sanitize fuzz soak clean
 .NOTPARALLEL:
 
 help:
@@ -28,6 +28,7 @@ help:
 	@echo 'make wheel     a wheel in dist/              make bench    benchmarks'
 	@echo 'make sanitize  C++ tests under address, undefined-behaviour and thread sanitizers'
 	@echo 'make fuzz      engine and file readers fed by libFuzzer (SECONDS=60)'
+	@echo 'make soak      two hours of traffic through a live node, in four minutes'
 	@echo 'make clean     remove what was built, and .venv'
 
 $(VENV)/.made: pyproject.toml
@@ -102,6 +103,9 @@ fuzz: $(VENV)/.made
 	$(IN_VENV) cmake --preset fuzz -G Ninja
 	$(IN_VENV) cmake --build --preset fuzz -j $(JOBS)
 	for what in engine files; do tests/fuzz/run $$what $(SECONDS) || exit 1; done
+
+soak: $(VENV)/.tools
+	$(IN_VENV) PYTHONPATH=tests/python python tests/soak/soak.py
 
 clean:
 	rm -rf build dist $(VENV)

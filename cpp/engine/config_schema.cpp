@@ -324,6 +324,9 @@ void check(const Config& config, const std::string& where) {
         if (shared.insert(channel).second) take("sensors." + config.sensor_names[i], channel);
     }
     const OutputParams& out = config.output;
+    if (out.rate_hz != 0 && !(out.rate_hz >= 0.1 && out.rate_hz <= 1000))
+        fail(where, "output.rate_hz is " + shortest(out.rate_hz) +
+                        ", expected 0 or a number from 0.1 to 1000");
     for (const auto& [name, channel] : {std::pair{"pose", out.pose},
                                         {"report", out.report},
                                         {"status", out.status},

@@ -7,18 +7,21 @@ namespace pilotage::test {
 
 namespace {
 
-/// Sets any key to a value of its range, if the value is in it.
+/// Sets any key to some value, if the configuration is one with it.
 void set_any_key(Config& config, Draws& draws) {
     static const char* const values[] = {"0",     "1",    "-1",    "100",    "-100",     "1e-9",
                                          "0.001", "3.2",  "1e-12", "1e-300", "0.999999", "1e-3",
                                          "plain", "gate", "both",  "wheels"};
-    const std::vector<Field> all = fields(config);
+    Config trial = config;
+    const std::vector<Field> all = fields(trial);
     const Field& field = draws.one_of(all);
     // What is allocated at the start would only cost time, and names would only lose messages.
     const bool names = std::holds_alternative<std::string*>(field.value);
     if (names || field.key == "history.capacity") return;
     try {
         field.set(draws.one_of(values), "fuzz");
+        check(trial, "fuzz");
+        config = trial;
     } catch (const ConfigError&) {
     }
 }

@@ -115,6 +115,13 @@ TEST(ConfigErrorTest, AnOutputMayNotBeAnInput) {
                 "robot.yaml: output.pose 'ENCODERS' is an input's channel");
 }
 
+TEST(ConfigErrorTest, ARateOfPosesIsOneThatTimeCanBeCountedBy) {
+    for (const std::string rate : {"1e-300", "0.05", "1001", "1e9"})
+        EXPECT_SAID("output: {rate_hz: " + rate + "}\n", "robot.yaml: output.rate_hz is ");
+    for (const std::string rate : {"0", "0.1", "1000"})
+        EXPECT_EQ(said("output: {rate_hz: " + rate + "}\n"), "");
+}
+
 TEST(ConfigErrorTest, ASensorsNameIsOneWord) {
     EXPECT_SAID("sensors:\n  front.left: {x_m: 1}\n", "robot.yaml:2: ");
     EXPECT_SAID("sensors:\n  '': {x_m: 1}\n", "robot.yaml:2: ");
