@@ -54,15 +54,19 @@ std::string explain(const Assessment& a) {
     return "";
 }
 
-std::string explain(MotionState state, double disagreement_rad) {
-    if (state == MotionState::slipping)
-        return words("slipping: encoders and gyro disagree by %.2f rad in half a second",
-                     std::abs(disagreement_rad));
-    if (state == MotionState::lifted)
+std::string disagreement(const Estimate& e) {
+    const double off_rad = std::abs(e.disagreement_rad);
+    if (e.gyro_left_out)
+        return words("the gyro is off the encoders by %.2f rad in half a second and left out",
+                     off_rad);
+    if (e.motion == MotionState::slipping)
+        return words("slipping: the encoders are off the gyro by %.2f rad in half a second",
+                     off_rad);
+    if (e.motion == MotionState::lifted)
         return words(
-            "lifted: the encoders stand still and the gyro turned by %.2f rad in half a "
+            "lifted: the encoders stand still, the gyro turned by %.2f rad in half a "
             "second",
-            std::abs(disagreement_rad));
+            off_rad);
     return "";
 }
 

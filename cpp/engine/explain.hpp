@@ -16,7 +16,7 @@ namespace pilotage {
 [[nodiscard]] std::string explain(const Assessment& assessment);
 
 /// What wheels and gyro hold against each other; empty if nothing.
-[[nodiscard]] std::string explain(MotionState state, double disagreement_rad);
+[[nodiscard]] std::string disagreement(const Estimate& e);
 
 [[nodiscard]] std::string wrong_type(const std::string& channel, const std::string& expected,
                                      const std::string& got, std::int64_t fingerprint);

@@ -271,6 +271,7 @@ Estimate Localizer<Scalar, N>::describe(const Track& track, double silent_s) con
     if (initialized_) static_cast<Assessment&>(e) = tracker_.assess(track, silent_s);
     e.motion = track.check.state();
     e.disagreement_rad = track.check.window().disagreement_rad;
+    e.gyro_left_out = track.check.gyro_suspect();
     e.resets = track.resets;
     return e;
 }

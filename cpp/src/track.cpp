@@ -19,6 +19,7 @@ constexpr double kCarried_m_s = 1;        // whoever carries it walks
 constexpr double kCrooked = 0.3;          // of a distance driven unseen: how far off a plain arc
 constexpr double kMoved_m = 0.3;          // while it was switched off
 constexpr double kMoved_rad = 0.1;
+constexpr int kEnoughMarkers = 3;  // that agree on one pose: two may be swapped, or both be moved
 // Beyond these, more doubt tells nothing more.
 constexpr double kNoIdea_m = 10;
 constexpr double kNoIdea_rad = 1;
@@ -40,6 +41,12 @@ double largest_position_variance(const Ekf<Scalar, N>& filter) noexcept {
     return mean + std::hypot(half, p(1, 0));
 }
 
+int different(std::uint64_t bits) noexcept {
+    int n = 0;
+    for (; bits != 0; bits &= bits - 1) ++n;
+    return n;
+}
+
 /// So many times the first one's variance comes with the n-th of equal errors in a row: they add up
 /// to one error of n times the size.
 double growth(int n) noexcept {
@@ -52,6 +59,7 @@ template <typename Scalar, int N>
 Tracker<Scalar, N>::Tracker(const Params& params, MarkerMap map)
     : params_(params), map_(std::move(map)) {
     const WheelParams& wheels = params.wheels;
+    enough_ = std::min<int>(kEnoughMarkers, static_cast<int>(map_.markers().size()));
     tick_rad_ = std::max(std::abs(wheels.left_m_per_tick), std::abs(wheels.right_m_per_tick)) /
                 wheels.track_width_m;
     for (int i = 0; i < params.sensor_count; ++i) {
@@ -108,7 +116,7 @@ void Tracker<Scalar, N>::begin(Track& track, const Sample& motion) const noexcep
         track.ticks.start(now);
         if (unmoved) return track.agreement.confirm();
     }
-    if (track.restored) doubt(track, variances(kMoved_m, kMoved_rad));
+    if (track.restored) doubt(track.filter, variances(kMoved_m, kMoved_rad));
 }
 
 template <typename Scalar, int N>
@@ -154,6 +162,7 @@ Increment<Scalar> Tracker<Scalar, N>::measure(Track& track, const Sample& motion
     rotation.wheel_turn_rad = double(u.turn_rad);
     if (gyro_turn_rad) {
         rotation.gyro_turn_rad = *gyro_turn_rad - gyro_bias(track) * dt_s;
+        rotation.gyro_frozen = track.gyro.frozen();
         if (params.heading != HeadingSource::wheels && !track.check.gyro_suspect())
             u = with_gyro(u, Scalar(*gyro_turn_rad), params.heading, params_.noise);
     }
@@ -161,7 +170,7 @@ Increment<Scalar> Tracker<Scalar, N>::measure(Track& track, const Sample& motion
     if (track.check.state() == MotionState::standing) u = standstill(u);
     u.turn_rad += Scalar(track.check.released_rad());
     if (ended) doubt += judged_window(track);
-    u.doubt = useful(track, doubt);
+    u.doubt = useful(track.filter, doubt);
     if (dt_s > 0) track.motion = u;
     track.driven = calibrated_motion(track.filter.state(), u, params_);
     return u;
@@ -174,25 +183,27 @@ Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
     Pose<double> doubt = Pose<double>::Zero();
     switch (track.check.state()) {
         case MotionState::standing:
-            if (window.in_a_row > 1) learn_bias(track);  // the first window moved the heading
+            // The first window moved the heading.
+            if (window.in_a_row > 1 && window.disagreement_rad == 0) learn_bias(track);
             break;
         case MotionState::lifted:
             doubt = variances(kCarried_m_s * window.duration_s, 0) * growth(window.in_a_row);
             break;
         case MotionState::slipping: {
-            const double off_rad = std::abs(window.disagreement_rad);
-            const double off_m = off_rad * (params_.wheels.track_width_m + window.distance_m) / 2;
-            const bool gyro_knows =
-                params_.motion.heading == HeadingSource::gyro && !track.check.gyro_suspect();
-            doubt = variances(off_m, gyro_knows ? 0 : off_rad) * growth(window.in_a_row);
+            const double off_rad = std::min(std::abs(window.disagreement_rad), kNoIdea_rad);
+            const bool gyro_suspect = track.check.gyro_suspect();
+            if (gyro_suspect && !window.by_gyro) break;  // the gyro is left out already
+            const bool by_gyro = params_.motion.heading == HeadingSource::gyro;
+            doubt = variances(off_rad * (params_.wheels.track_width_m + window.distance_m) / 2,
+                              by_gyro && !gyro_suspect ? 0 : off_rad);
+            if (!gyro_suspect) doubt *= growth(window.in_a_row);
             break;
         }
         case MotionState::driving:
             break;
     }
-    track.doubted = track.agreement.disagrees() ? track.doubted + 1 : 0;
-    if (track.doubted > 0)
-        doubt += farthest(track, window.duration_s, false) * growth(track.doubted);
+    if (track.alternative.active)
+        this->doubt(track.alternative.filter, farthest(track, window.duration_s, false));
     return doubt;
 }
 
@@ -211,21 +222,22 @@ Pose<double> Tracker<Scalar, N>::farthest(const Track& track, double time_s,
 
 /// As much of it as brings the filter to having no idea.
 template <typename Scalar, int N>
-Pose<Scalar> Tracker<Scalar, N>::useful(const Track& track,
+Pose<Scalar> Tracker<Scalar, N>::useful(const Ekf<Scalar, N>& filter,
                                         const Pose<double>& doubt) const noexcept {
     const double most[] = {square(kNoIdea_m), square(kNoIdea_m), square(kNoIdea_rad)};
     return entries<Pose<Scalar>>([&](int i, int) {
-        const double room = std::max(0.0, most[i] - double(track.filter.covariance()(i, i)));
+        const double room = std::max(0.0, most[i] - double(filter.covariance()(i, i)));
         return Scalar(std::min(doubt[i], room));
     });
 }
 
 template <typename Scalar, int N>
-void Tracker<Scalar, N>::doubt(Track& track, const Pose<double>& variances) const noexcept {
+void Tracker<Scalar, N>::doubt(Ekf<Scalar, N>& filter,
+                               const Pose<double>& variances) const noexcept {
     Increment<Scalar> u;
     u.still = true;
-    u.doubt = useful(track, variances);
-    drive(track, u);
+    u.doubt = useful(filter, variances);
+    dead_reckon(filter, u, params_);
 }
 
 template <typename Scalar, int N>
@@ -266,8 +278,38 @@ SightingReport Tracker<Scalar, N>::sight(Track& track, const Sample& sample) con
     if (report.verdict == Verdict::fused || report.verdict == Verdict::gate) {
         track.agreement.add(report.nis, report.dof, policy.gate_nis[report.dof - 1]);
         if (track.agreement.last_agreed()) track.agreed_utime = sample.utime;
+        if (track.agreement.disagrees() || track.alternative.active) consider(track, sample);
     }
     return report;
+}
+
+/// While the sightings contradict the estimate: takes the alternative in its place once that agrees
+/// with all that was seen of several markers. Sightings that contradict each other never make it
+/// agree, and the estimate stays where motion brought it.
+template <typename Scalar, int N>
+void Tracker<Scalar, N>::consider(Track& track, const Sample& sample) const noexcept {
+    Alternative<Scalar, N>& other = track.alternative;
+    other.active = track.agreement.disagrees();
+    if (!other.active) return;
+    const bool fresh = other.markers == 0 && other.agreement.in_a_row() == 0;
+    if (fresh || other.agreement.disagrees()) {
+        other.agreement = {};
+        other.markers = 0;
+        other.filter = track.filter;
+        doubt(other.filter, variances(kNoIdea_m, kNoIdea_rad));
+    }
+    const Policy& policy = policies_[sample.source];
+    const SightingReport report =
+        fuse_sighting(other.filter, sample, map_, params_.sensors[sample.source], policy);
+    if (report.verdict != Verdict::fused && report.verdict != Verdict::gate) return;
+    other.agreement.add(report.nis, report.dof, policy.gate_nis[report.dof - 1]);
+    if (report.agrees) other.markers |= std::uint64_t{1} << (report.id & 63);
+    if (other.agreement.in_a_row() < Agreement::kSettled || different(other.markers) < enough_)
+        return;
+    track.filter = other.filter;
+    track.agreement = other.agreement;
+    track.agreed_utime = sample.utime;
+    other.active = false;
 }
 
 template <typename Scalar, int N>
@@ -281,6 +323,7 @@ void Tracker<Scalar, N>::reset(Track& track, const PoseReset& to) const noexcept
     p.template topLeftCorner<3, 3>() = covariance_of(to).template cast<Scalar>();
     track.filter = Ekf<Scalar, N>(x, p);
     track.agreement.doubt();
+    track.alternative.active = false;
     ++track.resets;
 }
 
@@ -292,7 +335,7 @@ Track<Scalar, N> Tracker<Scalar, N>::predicted(Track track, std::int64_t utime) 
     Increment<Scalar> u;
     if (track.motion.dt_s > 0) u = track.motion.part(Scalar(known_s) / track.motion.dt_s);
     u.dt_s = Scalar(ahead_s);
-    u.doubt = useful(track, farthest(track, ahead_s - known_s, false));
+    u.doubt = useful(track.filter, farthest(track, ahead_s - known_s, false));
     drive(track, u);
     track.utime = utime;
     return track;

@@ -20,6 +20,7 @@ struct Estimate : Assessment {
     Vector<double, 2> driven = {0, 0};  ///< (distance [m], turn [rad]) of the newest motion sample
     MotionState motion = MotionState::driving;
     double disagreement_rad = 0;  ///< of wheels less gyro, over the latest half second; 0 if small
+    bool gyro_left_out = false;   ///< its turn is not believed
     std::int32_t resets = 0;
 };
 

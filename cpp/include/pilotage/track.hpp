@@ -47,9 +47,33 @@ struct Assessment {
     double value = 0, limit = 0;  ///< what decided, in the unit of the reason
 };
 
+/// Another idea of the pose, begun when the sightings contradict the estimate: it starts from
+/// having no idea and believes motion little, so that it settles where the sightings agree with
+/// each other, if they do.
+template <typename Scalar, int N>
+struct Alternative {
+    bool active = false;
+    Ekf<Scalar, N> filter;
+    Agreement agreement;
+    std::uint64_t markers = 0;  ///< a bit for each marker that agreed with it
+
+    Alternative() = default;
+    Alternative(const Alternative& other) noexcept { *this = other; }
+    /// Mostly there is none, and then nothing to copy.
+    Alternative& operator=(const Alternative& other) noexcept {
+        active = other.active;
+        if (!active) return *this;
+        filter = other.filter;
+        agreement = other.agreement;
+        markers = other.markers;
+        return *this;
+    }
+};
+
 template <typename Scalar, int N>
 struct Track {
     Ekf<Scalar, N> filter;
+    Alternative<Scalar, N> alternative;
     GyroIntegral gyro;
     TickCounter ticks;
     MotionCheck check;
@@ -59,9 +83,8 @@ struct Track {
     Increment<Scalar> motion;           ///< of the last motion sample that took time
     Vector<Scalar, 2> driven = {0, 0};  ///< (distance [m], turn [rad]) of the last motion sample
     std::int32_t resets = 0;
-    std::int32_t doubted = 0;  ///< windows of motion in a row during which the sightings disagreed
-    bool started = false;      ///< a motion sample has come
-    bool restored = false;     ///< from a checkpoint, and no motion sample has come since
+    bool started = false;   ///< a motion sample has come
+    bool restored = false;  ///< from a checkpoint, and no motion sample has come since
 };
 
 /// Carries tracks on. Holds what does not change.
@@ -94,9 +117,10 @@ class Tracker {
     [[nodiscard]] Increment<Scalar> measure(Track& track, const Sample& motion,
                                             Verdict& verdict) const noexcept;
 
-    /// Moves the filter.
+    /// Moves the estimate.
     void drive(Track& track, const Increment<Scalar>& u) const noexcept {
         dead_reckon(track.filter, u, params_);
+        if (track.alternative.active) dead_reckon(track.alternative.filter, u, params_);
     }
 
     /// Fuses a sighting.
@@ -116,8 +140,10 @@ class Tracker {
     [[nodiscard]] Pose<double> judged_window(Track& track) const noexcept;
     [[nodiscard]] Pose<double> farthest(const Track& track, double time_s,
                                         bool turn_known) const noexcept;
-    [[nodiscard]] Pose<Scalar> useful(const Track& track, const Pose<double>& doubt) const noexcept;
-    void doubt(Track& track, const Pose<double>& variances) const noexcept;
+    [[nodiscard]] Pose<Scalar> useful(const Ekf<Scalar, N>& filter,
+                                      const Pose<double>& doubt) const noexcept;
+    void doubt(Ekf<Scalar, N>& filter, const Pose<double>& variances) const noexcept;
+    void consider(Track& track, const Sample& sample) const noexcept;
     [[nodiscard]] RotationTolerance tolerance(const Track& track) const noexcept;
     [[nodiscard]] double gyro_bias(const Track& track) const noexcept;
     void learn_bias(Track& track) const noexcept;
@@ -126,6 +152,7 @@ class Tracker {
     MarkerMap map_;
     Policy policies_[Params::kMaxSensors];
     double tick_rad_;  // rotation by one tick of one wheel
+    int enough_;       // markers that have to agree on an alternative
 };
 
 extern template class Tracker<double, kPoseStates>;

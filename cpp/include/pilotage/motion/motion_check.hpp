@@ -23,6 +23,7 @@ struct RotationStep {
     double distance_m = 0;
     double wheel_turn_rad = 0, wheel_variance = 0;
     std::optional<double> gyro_turn_rad;  ///< less the bias; none where the gyro was silent
+    bool gyro_frozen = false;             ///< its rate has not changed for a while
 };
 
 /// How sure the comparison may be.
@@ -41,6 +42,7 @@ class MotionCheck {
         double duration_s = 0, distance_m = 0;
         double gyro_turn_rad = 0;     ///< less the bias
         double disagreement_rad = 0;  ///< wheels less gyro, 0 where they agree
+        bool by_gyro = true;          ///< the gyro was trusted in it
         int in_a_row = 0;             ///< windows with the same verdict
     };
 
@@ -58,7 +60,13 @@ class MotionCheck {
         open_.wheel_turn_rad += step.wheel_turn_rad;
         open_.wheel_variance += step.wheel_variance;
         open_.heard = open_.heard && step.gyro_turn_rad;
-        if (step.gyro_turn_rad) open_.gyro_turn_rad += *step.gyro_turn_rad;
+        open_.frozen = open_.frozen || step.gyro_frozen;
+        if (step.gyro_turn_rad) {
+            open_.gyro_turn_rad += *step.gyro_turn_rad;
+            if (step.dt_s > 0)
+                open_.fastest_rad_s =
+                    std::fmax(open_.fastest_rad_s, std::abs(*step.gyro_turn_rad) / step.dt_s);
+        }
         if (open_.duration_s < kWindow_s) return false;
         judge(tolerance);
         open_ = Sums{};
@@ -70,19 +78,21 @@ class MotionCheck {
     /// What the gyro told since the last whole window of standstill, and was not believed then: the
     /// robot has begun to move.
     [[nodiscard]] double released_rad() const noexcept { return released_rad_; }
-    /// While slipping: the gyro tells of a larger turn than the wheels, or of one the other way,
-    /// which slip does not explain.
+    /// The gyro contradicts the wheels as slip and lift do not explain: by a larger turn than
+    /// theirs, one the other way, one that never changes, or one that nobody could carry out.
     [[nodiscard]] bool gyro_suspect() const noexcept { return gyro_suspect_; }
 
    private:
     static constexpr double kWindow_s = 0.5;
     static constexpr double kSigmas = 4.5;
+    static constexpr double kWild_rad_s = 6;     // who carries a robot does not turn like this
     static constexpr double kScaleError = 0.15;  ///< of the wheels' turn, which every skid has
 
     struct Sums {
         double duration_s = 0, distance_m = 0;
         double wheel_turn_rad = 0, wheel_variance = 0, gyro_turn_rad = 0;
-        bool ticked = false, heard = true;
+        double fastest_rad_s = 0;  // by the gyro
+        bool ticked = false, heard = true, frozen = false;
     };
 
     void judge(const RotationTolerance& t) noexcept {
@@ -93,13 +103,17 @@ class MotionCheck {
         const double difference = open_.wheel_turn_rad - open_.gyro_turn_rad;
         const bool agree =
             !open_.heard || std::abs(difference) <= kSigmas * std::sqrt(variance) + slack;
-        gyro_suspect_ = !agree && open_.ticked &&
-                        (open_.gyro_turn_rad * open_.wheel_turn_rad < 0 ||
-                         std::abs(open_.gyro_turn_rad) > std::abs(open_.wheel_turn_rad));
-        if (state_ == MotionState::standing && !open_.ticked && !agree)
+        const bool suspected = gyro_suspect_;
+        const bool no_slip = open_.frozen || open_.gyro_turn_rad * open_.wheel_turn_rad < 0 ||
+                             std::abs(open_.gyro_turn_rad) > std::abs(open_.wheel_turn_rad);
+        const bool no_lift = suspected || open_.fastest_rad_s > kWild_rad_s;
+        gyro_suspect_ = !agree && (open_.ticked ? no_slip : no_lift);
+        if (state_ == MotionState::standing && !open_.ticked && !agree && !gyro_suspect_)
             released_rad_ = open_.gyro_turn_rad;
-        become(open_.ticked ? (agree ? MotionState::driving : MotionState::slipping)
-                            : (agree ? MotionState::standing : MotionState::lifted));
+        become(open_.ticked
+                   ? (agree ? MotionState::driving : MotionState::slipping)
+                   : (agree || gyro_suspect_ ? MotionState::standing : MotionState::lifted));
+        window_.by_gyro = !suspected;
         window_.duration_s = time_s;
         window_.distance_m = open_.distance_m;
         window_.gyro_turn_rad = open_.heard ? open_.gyro_turn_rad : 0;

@@ -30,6 +30,7 @@ class GyroIntegral {
         const auto dt_s = seconds_between<double>(utime_, utime);
         unused_rad_ += rate_rad_s * dt_s;
         whole_ = whole_ && seen_ && dt_s <= max_gap_s;
+        same_ = seen_ && rate_rad_s == rate_rad_s_ ? same_ + 1 : 0;
         seen_ = true;
         utime_ = utime;
         rate_rad_s_ = rate_rad_s;
@@ -47,6 +48,9 @@ class GyroIntegral {
         return whole ? std::optional<double>(turn_rad) : std::nullopt;
     }
 
+    /// The rate has been the same to the last bit for so long that no noise is left in it.
+    [[nodiscard]] bool frozen() const noexcept { return same_ >= kFrozen; }
+
     /// The clock was set: time goes on at `utime`, without what the old clock dated.
     void restart(std::int64_t utime) noexcept {
         *this = {};
@@ -54,7 +58,10 @@ class GyroIntegral {
     }
 
    private:
+    static constexpr int kFrozen = 20;
+
     std::int64_t utime_ = 0;
+    int same_ = 0;  // rates in a row
     double rate_rad_s_ = 0, unused_rad_ = 0;
     bool seen_ = false;
     bool whole_ = false;  // no gap since the last call of take()
