@@ -125,13 +125,41 @@ class Collector final : public EngineOutput {
    public:
     std::vector<std::pair<std::string, py::bytes>> messages;
     std::vector<std::string> notices;
+    std::optional<py::bytes> checkpoint_made;
 
    private:
     void message(const std::string& channel, const std::uint8_t* data, std::size_t size) override {
         messages.emplace_back(channel, py::bytes(reinterpret_cast<const char*>(data), size));
     }
     void notice(const std::string& text) override { notices.push_back(text); }
+    void checkpoint(const Bytes& bytes) override {
+        checkpoint_made = py::bytes(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    }
 };
+
+/// The content of a checkpoint file, in Python's own types.
+py::typing::Dict<py::str, py::object> read_checkpoint(const std::string& path) {
+    const Bytes bytes = read_bytes(path);
+    if (bytes.empty()) throw std::runtime_error(path + ": no such file, or an empty one");
+    checkpoint_t message;
+    try {
+        message = unpack(bytes);
+    } catch (const std::exception& error) {
+        throw std::runtime_error(path + " " + error.what());
+    }
+    std::vector<double> covariance;
+    for (const std::vector<double>& row : message.covariance)
+        covariance.insert(covariance.end(), row.begin(), row.end());
+    py::typing::Dict<py::str, py::object> content;
+    content["utime"] = message.utime;
+    content["seq"] = message.seq;
+    content["made"] = message.made;
+    content["version"] = message.version;
+    content["ticks"] = py::make_tuple(message.left, message.right);
+    content["state"] = owning_array(std::move(message.state));
+    content["covariance"] = owning_array(std::move(covariance)).reshape({message.n, message.n});
+    return content;
+}
 
 /// An engine fed message by message from Python.
 class PyEngine {
@@ -150,6 +178,12 @@ class PyEngine {
         engine_.tick(now, drops);
         return output_.messages;
     }
+    void restore(const py::bytes& checkpoint) {
+        const auto bytes = static_cast<std::string_view>(checkpoint);
+        engine_.restore(Bytes(bytes.begin(), bytes.end()));
+    }
+    [[nodiscard]] const auto& checkpoint() const { return output_.checkpoint_made; }
+    [[nodiscard]] std::int64_t tick_period() const { return engine_.tick_period(); }
     [[nodiscard]] const std::vector<std::string>& notices() const { return output_.notices; }
     [[nodiscard]] std::string waiting_for() const { return engine_.waiting_for(); }
 
@@ -235,13 +269,30 @@ keep_messages : keep what was published, as `Run.published`
 progress : called now and then with the part that is done, 0 to 1
 )");
     m.def("replay", &replay<std::string>, py::arg("config"), py::arg("path"), keep, progress);
+    m.def("read_checkpoint", &read_checkpoint, py::arg("path"),
+          R"(Reads the file that `pilotage-node --checkpoint` keeps; RuntimeError if it is damaged.
+
+Returns
+-------
+utime, made : us, of the newest motion sample and of the checkpoint
+seq, version : count of checkpoints since the node's start, and the node's version
+ticks : (left, right) at utime
+state, covariance : (n,) and (n, n) float; x, y [m], heading [rad], and calibration if it is estimated
+)");
     py::class_<PyEngine>(m, "Engine", "Bytes in, messages out, one message a call.")
         .def(py::init<const Config&>(), py::arg("config"))
         .def("handle", &PyEngine::handle, py::arg("channel"), py::arg("received"), py::arg("data"),
              "Takes an encoded message with its time of arrival [us]; the (channel, data) to "
              "publish.")
         .def("tick", &PyEngine::tick, py::arg("now"), py::arg("drops") = 0,
-             "Time passes [us]; the status message to publish.")
+             "Time passes [us]; the (channel, data) to publish.")
+        .def("restore", &PyEngine::restore, py::arg("checkpoint"),
+             "Begins with a checkpoint's pose, as a hypothesis; before anything else. RuntimeError "
+             "says why it cannot be used.")
+        .def_property_readonly("checkpoint", &PyEngine::checkpoint,
+                               "The newest checkpoint that a tick made, as its file holds it.")
+        .def_property_readonly("tick_period", &PyEngine::tick_period,
+                               "As `tick` wants to be called [us].")
         .def_property_readonly("waiting_for", &PyEngine::waiting_for)
         .def_property_readonly("notices", &PyEngine::notices);
 }

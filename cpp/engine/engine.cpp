@@ -206,28 +206,30 @@ void Engine::publish_due(std::int64_t end) {
 void Engine::tick(std::int64_t now, std::int64_t drops) {
     now_ = now;
     publish_due(kEver);
-    if (tick_period() < kSecond && std::abs(now - status_made_) < kSecond - tick_period() / 2)
-        return;
-    status_made_ = now;
-    review_inputs();
-    publish_status(drops);
+    if (tick_period() == kSecond || std::abs(now - status_made_) >= kSecond - tick_period() / 2) {
+        status_made_ = now;
+        review_inputs();
+        publish_status(drops);
+    }
     const auto interval = static_cast<std::int64_t>(config_.checkpoint_interval_s * kSecond);
     if (std::abs(now - checkpoint_made_) >= interval) make_checkpoint();
     journal_.flush(now_, [&](const std::string& line) { output_->notice(line); });
 }
 
 std::int64_t Engine::tick_period() const noexcept {
-    const double rate_hz = config_.output.rate_hz;
-    return rate_hz > 1 ? static_cast<std::int64_t>(kSecond / rate_hz) : kSecond;
+    constexpr double shortest_s = 0.001;
+    double period_s = std::min(1.0, config_.checkpoint_interval_s);
+    if (config_.output.rate_hz > 0) period_s = std::min(period_s, 1 / config_.output.rate_hz);
+    return std::llround(std::max(period_s, shortest_s) * kSecond);
 }
 
 void Engine::review_inputs() {
     for (Input& input : inputs_) {
-        const std::string before = input.problem();
+        const bool was_well = input.problem().empty();
         const std::string& now = input.review(now_, needed(input));
-        if (before.empty() != now.empty())
-            tell(input.name(), input.name() + " (" + input.channel() +
-                                   "): " + (now.empty() ? "well again" : now));
+        if (was_well == now.empty()) continue;
+        const std::string what = now.empty() ? "well again; it was: " + input.trouble() : now;
+        tell(input.name(), input.name() + " (" + input.channel() + "): " + what);
     }
 }
 

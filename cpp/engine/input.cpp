@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "words.hpp"
 
@@ -100,7 +101,9 @@ double Input::age_s(std::int64_t now) const noexcept {
 }
 
 const std::string& Input::review(std::int64_t now, bool needed) {
-    problem_ = find_problem(now, needed);
+    std::string found = find_problem(now, needed);
+    if (problem_.empty() && !found.empty()) trouble_ = found;
+    problem_ = std::move(found);
     reviewed_ = counts();
     reviewed_repeated_ = clock_.repeated();
     reviewed_steps_ = clock_.steps();
@@ -110,10 +113,11 @@ const std::string& Input::review(std::int64_t now, bool needed) {
 
 std::string Input::find_problem(std::int64_t now, bool needed) const {
     constexpr double patience_s = 0.6, intervals = 3.5;
+    std::string rejected = rejections();
     if (needed && seen_ && age_s(now) > std::fmax(patience_s, intervals * interval_s_))
-        return words("silent for %.1f s", age_s(now));
+        return rejected.empty() ? words("silent for %.1f s", age_s(now)) : rejected;
     if (std::string clock = clock_problem(); !clock.empty()) return clock;
-    if (std::string rejected = rejections(); !rejected.empty()) return rejected;
+    if (!rejected.empty()) return rejected;
     if (std::string rate = rate_problem(); !rate.empty()) return rate;
     return contradictions();
 }

@@ -58,6 +58,8 @@ class Input {
     [[nodiscard]] bool clock_was_set() const noexcept { return followed_; }
     /// What the last review found.
     [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
+    /// What the present trouble, or else the last, began with.
+    [[nodiscard]] const std::string& trouble() const noexcept { return trouble_; }
 
     /// Looks back over the time since the last call, and says what was wrong with it; empty if all
     /// went well. \param needed its silence is a problem
@@ -94,7 +96,7 @@ class Input {
     // At the last review.
     Counts reviewed_{};
     std::int64_t reviewed_repeated_ = 0, reviewed_steps_ = 0, reviewed_lost_ = 0;
-    std::string problem_;
+    std::string problem_, trouble_;
 };
 
 }  // namespace pilotage

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
         UpdateReport,
         __version__,
         load_config,
+        read_checkpoint,
         read_table,
         replay,
     )
@@ -51,6 +52,7 @@ __all__ = [
     "UpdateReport",
     "__version__",
     "load_config",
+    "read_checkpoint",
     "read_table",
     "replay",
 ]

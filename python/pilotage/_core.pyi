@@ -6,7 +6,7 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['ArcUnicycle', 'CalibratedArc', 'Config', 'ConfigError', 'DifferentialDrive', 'Ekf3', 'Ekf6', 'Engine', 'GyroDrive', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'Policy', 'Recording', 'Run', 'UpdateReport', 'load_config', 'read_table', 'replay']
+__all__: list[str] = ['ArcUnicycle', 'CalibratedArc', 'Config', 'ConfigError', 'DifferentialDrive', 'Ekf3', 'Ekf6', 'Engine', 'GyroDrive', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'Policy', 'Recording', 'Run', 'UpdateReport', 'load_config', 'read_checkpoint', 'read_table', 'replay']
 class MarkerMap:
     """
     The surveyed markers, sorted by id.
@@ -508,13 +508,27 @@ class Engine:
         """
         Takes an encoded message with its time of arrival [us]; the (channel, data) to publish.
         """
+    def restore(self, checkpoint: bytes) -> None:
+        """
+        Begins with a checkpoint's pose, as a hypothesis; before anything else. RuntimeError says why it cannot be used.
+        """
     def tick(self, now: typing.SupportsInt | typing.SupportsIndex, drops: typing.SupportsInt | typing.SupportsIndex = 0) -> list[tuple[str, bytes]]:
         """
-        Time passes [us]; the status message to publish.
+        Time passes [us]; the (channel, data) to publish.
+        """
+    @property
+    def checkpoint(self) -> bytes | None:
+        """
+        The newest checkpoint that a tick made, as its file holds it.
         """
     @property
     def notices(self) -> list[str]:
         ...
+    @property
+    def tick_period(self) -> int:
+        """
+        As `tick` wants to be called [us].
+        """
     @property
     def waiting_for(self) -> str:
         ...
@@ -547,6 +561,17 @@ class Localizer:
 def load_config(path: str) -> Config:
     """
     Reads a configuration file and the map that it names; raises ConfigError naming file and line.
+    """
+def read_checkpoint(path: str) -> dict[str, typing.Any]:
+    """
+    Reads the file that `pilotage-node --checkpoint` keeps; RuntimeError if it is damaged.
+    
+    Returns
+    -------
+    utime, made : us, of the newest motion sample and of the checkpoint
+    seq, version : count of checkpoints since the node's start, and the node's version
+    ticks : (left, right) at utime
+    state, covariance : (n,) and (n, n) float; x, y [m], heading [rad], and calibration if it is estimated
     """
 def read_table(path: str, columns: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex]) -> numpy.ndarray:
     """

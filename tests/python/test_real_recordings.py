@@ -1,13 +1,17 @@
 """The ready configurations on real recordings: how accurate, and how honest."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
-from pilotage.evaluate import Metrics, compute_metrics
+from pilotage import Run, replay
+from pilotage.evaluate import Metrics, compute_metrics, wrap_angle
+from pilotage.lcmtypes import encoders_t, gyro_t, odometry_t, pose_t
 from pilotage.logs import Log, read, write_lcmlog
-from pilotage.replaying import Replay, replay_log
+from pilotage.replaying import Replay, prepared_config, replay_log
 from support.datasets import dataset
 
 
@@ -92,3 +96,29 @@ def test_a_foreign_robots_encoders_are_understood_and_its_other_messages_named(t
     assert any("MAEBOT_IMU: expected gyro_t" in notice for notice in run.notices)
     # Its clock is 349 days off; the pose is dated by arrival, as configured.
     assert run.poses["utime"][0] == 1477530571543258
+
+
+def _decoded(run: Run, channel: str, kind: Any) -> NDArray[np.float64]:
+    """(n, 3) x, y [m] and heading [rad] of published messages."""
+    messages = map(kind.decode, run.published.messages(channel))
+    return np.array([(m.x, m.y, m.heading) for m in messages])
+
+
+def test_the_smooth_output_has_no_jumps_where_the_pose_has():
+    log = read(dataset("mower-listing"))
+    config = prepared_config(log)
+    run = replay(config, log.recording, keep_messages=True)
+    encoders = map(encoders_t.decode, log.recording.messages("ENCODERS"))
+    gyro = [gyro_t.decode(data).rate for data in log.recording.messages("GYRO")]
+    ticks = np.array([(m.left + m.right) / 2 for m in encoders])
+    driven = np.abs(np.diff(ticks)) * config["encoders.left_m_per_tick"]
+    smooth, pose = (
+        np.diff(_decoded(run, channel, kind), axis=0)
+        for channel, kind in (("ODOMETRY", odometry_t), ("POSE", pose_t))
+    )
+    step, turn = np.hypot(smooth[:, 0], smooth[:, 1]), np.abs(wrap_angle(smooth[:, 2]))
+    assert np.all(step <= 1.05 * driven + 1e-6)
+    assert turn.max() <= 0.025 * 1.05 * np.abs(gyro).max()  # of the longest interval
+    jumps = run.published.messages("POSE_JUMP")
+    assert 0 < len(jumps) == run.poses["resets"][-1] <= 20
+    assert np.hypot(pose[:, 0], pose[:, 1]).max() > 10 * step.max()

@@ -50,7 +50,7 @@ class MotionCheck {
     bool add(const RotationStep& step, const RotationTolerance& tolerance) noexcept {
         released_rad_ = 0;
         if (step.ticked && (state_ == MotionState::standing || state_ == MotionState::lifted)) {
-            if (state_ == MotionState::standing)
+            if (state_ == MotionState::standing && !gyro_suspect_)
                 released_rad_ = disbelieved_rad_ + open_.gyro_turn_rad;
             become(MotionState::driving);
             open_ = Sums{};
@@ -111,21 +111,21 @@ class MotionCheck {
         const double difference = open_.wheel_turn_rad - open_.gyro_turn_rad;
         const bool agree =
             !open_.heard || std::abs(difference) <= kSigmas * std::sqrt(variance) + slack;
-        const bool suspected = gyro_suspect_;
+        const bool suspected = gyro_suspect_, stood = state_ == MotionState::standing;
         // A wheel that spins while the robot slowly turns the other way is a slip as well.
         const double share = open_.gyro_turn_rad * open_.wheel_turn_rad < 0 ? 0.5 : 1;
         const bool no_slip =
             open_.frozen || std::abs(open_.gyro_turn_rad) > share * std::abs(open_.wheel_turn_rad);
         const bool no_lift = suspected || open_.fastest_rad_s > kWild_rad_s;
         gyro_suspect_ = !agree && (open_.ticked ? no_slip : no_lift);
-        const bool stood = state_ == MotionState::standing && !open_.ticked;
-        if (stood && !agree && !gyro_suspect_) released_rad_ = open_.gyro_turn_rad - last_turn_rad;
         become(open_.ticked
                    ? (agree ? MotionState::driving : MotionState::slipping)
                    : (agree || gyro_suspect_ ? MotionState::standing : MotionState::lifted));
-        disbelieved_rad_ = stood && agree && window_.in_a_row < kSettling
-                               ? disbelieved_rad_ + open_.gyro_turn_rad
-                               : 0;
+        if (stood && state_ == MotionState::lifted)
+            released_rad_ = open_.gyro_turn_rad - last_turn_rad;
+        const bool stands_on = stood && state_ == MotionState::standing && agree;
+        disbelieved_rad_ =
+            stands_on && window_.in_a_row < kSettling ? disbelieved_rad_ + open_.gyro_turn_rad : 0;
         window_.by_gyro = !suspected;
         window_.duration_s = time_s;
         window_.distance_m = open_.distance_m;
