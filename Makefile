@@ -5,6 +5,10 @@ PRESET ?= default
 JOBS ?= $(shell nproc)
 VENV := $(CURDIR)/.venv
 PIP := $(VENV)/bin/python -m pip --disable-pip-version-check
+# For `make fuzz`: of each target.
+SECONDS := 60
+# Thread sanitizers of some years do not know the addresses that newer kernels give at random.
+FIXED_ADDRESSES = $(shell setarch -R true 2>/dev/null && echo setarch -R)
 # Recipes find the virtual environment's cmake, ninja and python3 first.
 IN_VENV := PATH="$(VENV)/bin:$$PATH"
 
@@ -13,7 +17,7 @@ SOURCES := $(shell find cpp bindings lcmtypes configs python cmake CMakeLists.tx
 BUILD_REQUIRES := $(shell sed -n 's/^requires = \[\(.*\)\]/\1/p' pyproject.toml | tr ',' ' ')
 CPP_FILES = $(shell find cpp bindings tests bench examples -name '*.[ch]pp' 2>/dev/null)
 
-.PHONY: help demo test test-cpp test-python lint format tidy stubs wheel bench sanitize clean
+.PHONY: help demo test test-cpp test-python lint format tidy stubs wheel bench sanitize fuzz soak clean
 .NOTPARALLEL:
 
 help:
@@ -22,7 +26,9 @@ help:
 	@echo 'make lint      formatting, style, types      make format   put formatting right'
 	@echo 'make tidy      clang-tidy (slow)             make stubs    write _core.pyi anew'
 	@echo 'make wheel     a wheel in dist/              make bench    benchmarks'
-	@echo 'make sanitize  C++ tests under address and undefined-behaviour sanitizers'
+	@echo 'make sanitize  C++ tests under address, undefined-behaviour and thread sanitizers'
+	@echo 'make fuzz      engine and file readers fed by libFuzzer (SECONDS=60)'
+	@echo 'make soak      two hours of traffic through a live node, in four minutes'
 	@echo 'make clean     remove what was built, and .venv'
 
 $(VENV)/.made: pyproject.toml
@@ -85,10 +91,21 @@ bench: $(VENV)/.installed
 	$(IN_VENV) python bench/run.py
 
 sanitize: $(VENV)/.made
-	@PYTHON="$(PYTHON)" tools/prepare-machine tests
-	$(IN_VENV) cmake --preset sanitize -G Ninja
-	$(IN_VENV) cmake --build --preset sanitize -j $(JOBS)
-	$(IN_VENV) ctest --preset sanitize -j $(JOBS)
+	@PYTHON="$(PYTHON)" tools/prepare-machine tests clang
+	for preset in asan tsan; do \
+	    $(IN_VENV) cmake --preset $$preset -G Ninja && \
+	    $(IN_VENV) cmake --build --preset $$preset -j $(JOBS) && \
+	    $(IN_VENV) $(FIXED_ADDRESSES) ctest --preset $$preset -j $(JOBS) || exit 1; \
+	done
+
+fuzz: $(VENV)/.made
+	@PYTHON="$(PYTHON)" tools/prepare-machine clang
+	$(IN_VENV) cmake --preset fuzz -G Ninja
+	$(IN_VENV) cmake --build --preset fuzz -j $(JOBS)
+	for what in engine files; do tests/fuzz/run $$what $(SECONDS) || exit 1; done
+
+soak: $(VENV)/.tools
+	$(IN_VENV) PYTHONPATH=tests/python python tests/soak/soak.py
 
 clean:
 	rm -rf build dist $(VENV)

@@ -6,6 +6,7 @@
 
 namespace pilotage::bindings {
 
+void bind_errors(pybind11::module_& m);
 void bind_marker_map(pybind11::module_& m);
 void bind_config(pybind11::module_& m);
 void bind_recording(pybind11::module_& m);

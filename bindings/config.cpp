@@ -35,9 +35,6 @@ void set(Config& config, const std::string& key, const py::object& value) {
 }  // namespace
 
 void bind_config(py::module_& m) {
-    py::register_exception<ConfigError>(m, "ConfigError", PyExc_ValueError).doc() =
-        "A configuration or map that cannot be used; names file, line, key, value and what was "
-        "expected.";
     py::class_<Config>(m, "Config", R"(All that a run needs besides its input.
 
 Keys are dotted, as in the file: ``config["sensors.camera.sigma_bearing_rad"] = 0.02``. Speaking of a

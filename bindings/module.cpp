@@ -4,6 +4,7 @@ PYBIND11_MODULE(_core, m) {
     using namespace pilotage::bindings;
     m.doc() = "Pilotage's C++ core and engine.";
     m.attr("__version__") = PILOTAGE_VERSION;
+    bind_errors(m);
     bind_marker_map(m);
     bind_config(m);
     bind_recording(m);

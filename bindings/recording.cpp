@@ -14,6 +14,7 @@
 #include "pilotage/reference_t.hpp"
 #include "pilotage/tick_t.hpp"
 #include "pilotage/velocity_t.hpp"
+#include "text.hpp"
 
 namespace py = pybind11;
 
@@ -234,7 +235,7 @@ stamp unless `received` is given, and seq counts from 0 unless `seq` is. Call `s
             [](const Recording& r, std::size_t i) {
                 if (i >= r.size()) throw py::index_error();
                 const LogEvent e = r[i];
-                return py::make_tuple(e.received, std::string(e.channel),
+                return py::make_tuple(e.received, readable(e.channel),
                                       py::bytes(reinterpret_cast<const char*>(e.data), e.size));
             },
             "(received, channel, data) of a message.");

@@ -125,7 +125,10 @@ void apply(Config& config, const YAML::Node& node, const std::string& prefix,
                       config.map = parse_map(value, where);
                   } else if (value.IsMap()) {
                       if (prefix == "sensors.") config.sensor(name, line);
-                      if (value.size() == 0 && !is_section(config, key)) {
+                      // No key has more parts than three; by an alias to what it stands in, YAML
+                      // may hold sections without end.
+                      const bool deep = std::count(key.begin(), key.end(), '.') >= 2;
+                      if ((deep || value.size() == 0) && !is_section(config, key)) {
                           (void)field(config, key, line);  // an unknown key is named
                           fail(where, at_key, "'" + key + "' needs a value");
                       }

@@ -251,11 +251,12 @@ Field field(Config& config, const std::string& key, const std::string& where) {
         }
     }
     std::vector<Field> list = fields(config);
+    const auto known = [&](const Field& f) { return f.key == key; };
+    if (const auto at = std::find_if(list.begin(), list.end(), known); at != list.end()) return *at;
     const auto nearest =
         std::min_element(list.begin(), list.end(), [&](const Field& a, const Field& b) {
             return edit_distance(a.key, key) < edit_distance(b.key, key);
         });
-    if (nearest->key == key) return *nearest;
     fail(where, "unknown key '" + key + "'; the nearest known key is '" + nearest->key + "'");
 }
 
@@ -306,10 +307,6 @@ void check(const Config& config, const std::string& where) {
         !std::isnan(start.x_m) + !std::isnan(start.y_m) + !std::isnan(start.heading_rad);
     if (given != 0 && given != 3)
         fail(where, "initial needs x_m, y_m and heading_rad together, or none of them");
-    constexpr double most_hz = 1000;
-    if (config.output.rate_hz > most_hz)
-        fail(where, "output.rate_hz is " + std::to_string(config.output.rate_hz) +
-                        ", expected at most 1000");
     std::set<std::string> channels;
     const auto take = [&](const std::string& name, const std::string& channel) {
         if (!channels.insert(channel).second)
@@ -327,6 +324,9 @@ void check(const Config& config, const std::string& where) {
         if (shared.insert(channel).second) take("sensors." + config.sensor_names[i], channel);
     }
     const OutputParams& out = config.output;
+    if (out.rate_hz != 0 && !(out.rate_hz >= 0.1 && out.rate_hz <= 1000))
+        fail(where, "output.rate_hz is " + shortest(out.rate_hz) +
+                        ", expected 0 or a number from 0.1 to 1000");
     for (const auto& [name, channel] : {std::pair{"pose", out.pose},
                                         {"report", out.report},
                                         {"status", out.status},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -19,6 +20,7 @@ namespace pilotage {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000;
+constexpr std::int64_t kEver = std::numeric_limits<std::int64_t>::max();
 
 [[noreturn]] void fail(const char* what) {
     throw std::runtime_error(what);
@@ -81,12 +83,18 @@ void Engine::handle(std::string_view channel, std::int64_t received, const std::
     if (input == nullptr || !acceptable(*input, codec, whole, fingerprint, size)) return;
     input->received(received, decoded_.seq, decoded_.samples.size());
     const Input::Date date = input->date(decoded_.utime, decoded_.seq, received);
-    if (input->kind() == Kind::reset) reset_seq_ = decoded_.seq;
-    if (input == &inputs_[motion_] && date.good) follow_clock(date.utime, received);
+    if (input->kind() == Kind::reset) {
+        reset_seq_ = decoded_.seq;
+        reset_answer_ = name(Verdict::pending);
+    }
+    if (input == &inputs_[motion_] && date.good) {
+        follow_clock(date.utime, received);
+        publish_due(date.utime);
+    }
     bool moved = false;
     for (Sample& sample : decoded_.samples) moved |= take(*input, sample, date);
     if (moved) publish_moved();
-    publish_due();
+    publish_due(kEver);
 }
 
 /// Whether the message is one that the input is for. If not, it is counted and named.
@@ -185,19 +193,20 @@ void Engine::publish_moved() {
     if (jump) publisher_.jump(*jump, e.utime, pose_output_.resets());
 }
 
-/// Poses at a rate of their own, as far as time has passed.
-void Engine::publish_due() {
+/// Poses at a rate of their own, as far as time has passed, of moments before `end`.
+void Engine::publish_due(std::int64_t end) {
     if (config_.output.rate_hz == 0 || !started()) return;
     const auto period = static_cast<std::int64_t>(kSecond / config_.output.rate_hz);
     const std::int64_t now = inputs_[motion_].now(now_);
-    if (std::abs(now - next_pose_) > kSecond) next_pose_ = now;  // the start, or a clock was set
-    for (; next_pose_ <= now; next_pose_ += period)
+    // The start, or a clock was set.
+    if (next_pose_ == 0 || std::abs(now - next_pose_) > kSecond + period) next_pose_ = now;
+    for (; next_pose_ <= now && next_pose_ < end; next_pose_ += period)
         publisher_.pose(estimate(next_pose_), pose_output_.resets());
 }
 
 void Engine::tick(std::int64_t now, std::int64_t drops) {
     now_ = now;
-    publish_due();
+    publish_due(kEver);
     if (tick_period() == kSecond || std::abs(now - status_made_) >= kSecond - tick_period() / 2) {
         status_made_ = now;
         review_inputs();

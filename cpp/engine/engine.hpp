@@ -78,7 +78,7 @@ class Engine final : private Listener {
     [[nodiscard]] bool take(Input& input, Sample& sample, const Input::Date& date);
     void follow_clock(std::int64_t utime, std::int64_t received);
     void publish_moved();
-    void publish_due();
+    void publish_due(std::int64_t end);
     void publish_status(std::int64_t drops);
     void review_inputs();
     [[nodiscard]] bool started() const;

@@ -26,6 +26,11 @@ bool is_sync(const std::uint8_t* p) noexcept {
     return std::memcmp(p, kSync, sizeof kSync) == 0;
 }
 
+/// As every name of a channel is.
+bool is_text(const std::uint8_t* p, std::size_t size) noexcept {
+    return std::all_of(p, p + size, [](std::uint8_t c) { return c >= ' ' && c <= '~'; });
+}
+
 [[noreturn]] void fail(const std::string& path, const char* what) {
     throw std::runtime_error(path + ": cannot be " + what + ": " + std::strerror(errno));
 }
@@ -65,11 +70,27 @@ std::size_t LogReader::find_sync(std::size_t from) {
     return end_ - begin_;
 }
 
-void LogReader::skip_to(std::size_t next_event) {
-    damage_.push_back(path_ + ": damaged, " + std::to_string(next_event) +
-                      " bytes skipped from byte " +
+void LogReader::complain(const std::string& what) {
+    damage_.push_back(path_ + ": damaged, " + what + " byte " +
                       std::to_string(offset_ + static_cast<std::int64_t>(begin_)));
+}
+
+void LogReader::skip_to(std::size_t next_event) {
+    complain(std::to_string(next_event) + " bytes skipped from");
     begin_ += next_event;
+}
+
+/// Events are counted. A number that fits neither the one before nor the one after shows damage
+/// that does no harm; where a program wrote only some of the events, numbers go on from any other.
+void LogReader::follow_numbers(std::size_t whole) {
+    const auto number_at = [&](std::size_t event) {
+        return big_endian(window_.data() + begin_ + event + sizeof kSync, 8);
+    };
+    const std::uint64_t expected = number_++;
+    if (number_at(0) == expected) return;
+    if (available(whole + kHeader) && number_at(whole) == number_)
+        return complain("a number overwritten in the event at");
+    number_ = number_at(0) + 1;
 }
 
 bool LogReader::next(LogEvent& event) {
@@ -82,7 +103,8 @@ bool LogReader::next(LogEvent& event) {
         const std::size_t channel = big_endian(header + 20, 4), data = big_endian(header + 24, 4);
         const std::size_t whole = kHeader + channel + data;
         const auto left = static_cast<std::size_t>(size_ - offset_) - begin_;
-        if (channel == 0 || channel > kLongestChannel || whole > left || !available(whole)) {
+        if (channel == 0 || channel > kLongestChannel || whole > left || !available(whole) ||
+            !is_text(window_.data() + begin_ + kHeader, channel)) {
             skip_to(find_sync(sizeof kSync));
             continue;
         }
@@ -93,6 +115,7 @@ bool LogReader::next(LogEvent& event) {
                 skip_to(inside);
                 continue;
             }
+        follow_numbers(whole);
         const std::uint8_t* at = window_.data() + begin_;
         event.received = static_cast<std::int64_t>(big_endian(at + 12, 8));
         event.channel = {reinterpret_cast<const char*>(at + kHeader), channel};

@@ -41,12 +41,15 @@ class LogReader {
     [[nodiscard]] bool available(std::size_t bytes);
     [[nodiscard]] std::size_t find_sync(std::size_t from);
     void skip_to(std::size_t next_event);
+    void follow_numbers(std::size_t whole);
+    void complain(const std::string& what);
 
     std::string path_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
     std::vector<std::uint8_t> window_;    // part of the file from offset_ on
     std::size_t begin_ = 0, end_ = 0;     // of what is unread in it
     std::int64_t offset_ = 0, size_ = 0;  // of the window in the file, of the file [bytes]
+    std::uint64_t number_ = 0;            // that the next event should have
     std::vector<std::string> damage_;
 };
 

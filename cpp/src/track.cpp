@@ -24,6 +24,8 @@ constexpr int kEnoughMarkers = 3;  // that agree on one pose: two may be swapped
 constexpr double kNoIdea_m = 10;
 constexpr double kNoIdea_rad = 1;
 
+constexpr int kLongSlip = 4;  // windows; after them the gyro may be stuck as well
+
 double square(double v) noexcept {
     return v * v;
 }
@@ -166,8 +168,9 @@ Increment<Scalar> Tracker<Scalar, N>::measure(Track& track, const Sample& motion
         if (params.heading != HeadingSource::wheels && !track.check.gyro_suspect())
             u = with_gyro(u, Scalar(*gyro_turn_rad), params.heading, params_.noise);
     }
+    const bool stood = track.check.state() == MotionState::standing;
     const bool ended = track.check.add(rotation, tolerance(track));
-    if (track.check.state() == MotionState::standing) u = standstill(u);
+    if (stood && track.check.state() == MotionState::standing) u = standstill(u);
     u.turn_rad += Scalar(track.check.released_rad());
     if (ended) doubt += judged_window(track);
     u.doubt = useful(track.filter, doubt);
@@ -183,8 +186,7 @@ Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
     Pose<double> doubt = Pose<double>::Zero();
     switch (track.check.state()) {
         case MotionState::standing:
-            // The first window moved the heading.
-            if (window.in_a_row > 1 && window.disagreement_rad == 0) learn_bias(track);
+            if (track.check.settled() && window.disagreement_rad == 0) learn_bias(track);
             break;
         case MotionState::lifted:
             doubt = variances(kCarried_m_s * window.duration_s, 0) * growth(window.in_a_row);
@@ -193,9 +195,10 @@ Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
             const double off_rad = std::min(std::abs(window.disagreement_rad), kNoIdea_rad);
             const bool gyro_suspect = track.check.gyro_suspect();
             if (gyro_suspect && !window.by_gyro) break;  // the gyro is left out already
-            const bool by_gyro = params_.motion.heading == HeadingSource::gyro;
+            const bool gyro_knows = params_.motion.heading == HeadingSource::gyro &&
+                                    !gyro_suspect && window.in_a_row <= kLongSlip;
             doubt = variances(off_rad * (params_.wheels.track_width_m + window.distance_m) / 2,
-                              by_gyro && !gyro_suspect ? 0 : off_rad);
+                              gyro_knows ? 0 : off_rad);
             if (!gyro_suspect) doubt *= growth(window.in_a_row);
             break;
         }

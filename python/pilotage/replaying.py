@@ -1,5 +1,6 @@
 """From a recording of any kind to its replay: which configuration, which map, which start."""
 
+import struct
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import isnan
@@ -69,10 +70,22 @@ def choose_config(log: Log, config_file: Path | None) -> Config:
 
 
 def recorded_config(log: Log) -> Config | None:
-    """Return the configuration that a recording of `pilotage-node` opens with, if it does."""
+    """Return the configuration that a recording of `pilotage-node` opens with, if it does.
+
+    Raises
+    ------
+    ValueError
+        If it is damaged.
+    """
     if len(log.recording) == 0:
         return None
     _, channel, data = log.recording[0]
     if channel != SETUP_CHANNEL:
         return None
-    return Config.parse(lcmtypes.setup_t.decode(data).config)
+    try:
+        return Config.parse(lcmtypes.setup_t.decode(data).config)
+    except (ValueError, struct.error) as error:
+        raise ValueError(
+            f"the configuration that the recording opens with cannot be used ({error}): "
+            f"name one with --config"
+        ) from error

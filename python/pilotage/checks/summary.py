@@ -23,8 +23,9 @@ def summarize(config: Config, map_name: str = "") -> dict[str, list[str]]:
         "map": _map(config.map, map_name),
         "start": [_start(config)],
         "outputs": [
-            f"pose_t on {config['output.pose']}, marker_report_t on {config['output.report']}, "
-            f"status_t on {config['output.status']}"
+            f"pose_t on {config['output.pose']}, odometry_t on {config['output.odometry']}, "
+            f"pose_jump_t on {config['output.jump']}",
+            f"marker_report_t on {config['output.report']}, status_t on {config['output.status']}",
         ],
     }
 

@@ -42,7 +42,7 @@ def history_too_small(config: Config) -> Iterator[Finding]:
 def outputs_on_one_channel(config: Config) -> Iterator[Finding]:
     """Find outputs that a receiver cannot tell apart."""
     seen: dict[str, str] = {}
-    for key in ("output.pose", "output.report", "output.status"):
+    for key in ("output.pose", "output.odometry", "output.jump", "output.report", "output.status"):
         other = seen.setdefault(config[key], key)
         if other != key:
             yield Finding(

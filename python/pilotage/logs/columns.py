@@ -25,7 +25,17 @@ def require_finite(values: ArrayLike, where: object, name: str) -> NDArray[np.fl
 
 def microseconds(seconds: ArrayLike, where: object) -> NDArray[np.int64]:
     """Stamps in whole µs from seconds, to the nearest."""
-    return np.rint(require_finite(seconds, where, "time") * 1e6).astype(np.int64)
+    return whole_steps(require_finite(seconds, where, "time"), 1e6, where, "time")
+
+
+def whole_steps(
+    values: NDArray[np.float64], per_unit: float, where: object, name: str
+) -> NDArray[np.int64]:
+    """The values in steps, to the nearest, or a ValueError that names the first that is too big."""
+    with np.errstate(over="ignore"):
+        steps = np.rint(values * per_unit)
+    _refuse(~(np.abs(steps) < 2.0**62), values, where, name, "a smaller number")
+    return steps.astype(np.int64)
 
 
 def whole_numbers(values: ArrayLike, where: object, name: str) -> NDArray[np.int32]:
@@ -48,11 +58,12 @@ def trajectory(
     utime: NDArray[np.int64], x: ArrayLike, y: ArrayLike, heading: ArrayLike
 ) -> NDArray[Any]:
     """`TRAJECTORY` rows, heading wrapped; a row with a value that is not finite is left out."""
-    rows = np.empty(utime.size, dtype=TRAJECTORY)
-    rows["utime"], rows["x"], rows["y"], rows["heading"] = utime, x, y, wrap_angle(heading)
-    finite = np.isfinite(rows["x"]) & np.isfinite(rows["y"]) & np.isfinite(rows["heading"])
-    known: NDArray[Any] = rows[finite]
-    return known
+    known = np.isfinite(x) & np.isfinite(y) & np.isfinite(heading)
+    rows = np.empty(np.count_nonzero(known), dtype=TRAJECTORY)
+    for name, column in (("utime", utime), ("x", x), ("y", y)):
+        rows[name] = np.asarray(column)[known]
+    rows["heading"] = wrap_angle(np.asarray(heading)[known])
+    return rows
 
 
 def ground_map(

@@ -9,6 +9,7 @@ from .log import Log
 KIND = "lcm"
 LOOKED_FOR = "an LCM log file (.lcmlog, or any name if it begins as one)"
 
+_ENOUGH = 20
 _SYNC_WORD = b"\xed\xa1\xda\x01"
 
 
@@ -32,5 +33,14 @@ def read(path: Path) -> Log:
         recording=recording,
         truth=truth if truth.size else None,
         map=None,
-        notes=tuple(f"{path}: {line}" for line in recording.damage),
+        notes=_notes(path, recording.damage),
     )
+
+
+def _notes(path: Path, damage: list[str]) -> tuple[str, ...]:
+    """How many places are damaged, and which; of very many the first."""
+    if not damage:
+        return ()
+    count = f"{path}: damaged in {len(damage)} places, everything else was read"
+    more = [f"... and {len(damage) - _ENOUGH} more"] if len(damage) > _ENOUGH else []
+    return (count, *damage[:_ENOUGH], *more)

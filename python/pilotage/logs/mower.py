@@ -19,6 +19,7 @@ from .columns import (
     require_finite,
     trajectory,
     whole_numbers,
+    whole_steps,
 )
 from .log import Log
 
@@ -138,5 +139,6 @@ def _the_file(folder: Path, pattern: str) -> Path:
 
 
 def _ticks(travel: NDArray[np.float64], where: Path, name: str) -> NDArray[np.int64]:
-    total = np.cumsum(require_finite(travel, where, name))
-    return np.rint(total / TICK_M).astype(np.int64)
+    with np.errstate(over="ignore"):
+        total = np.cumsum(require_finite(travel, where, name))
+    return whole_steps(total, 1 / TICK_M, where, name)

@@ -71,12 +71,18 @@ def read(folder: Path, robot: int | None = None) -> Log:
     sighted = microseconds(seen["time"], measurement)
     barcode = whole_numbers(seen["barcode"], measurement, "barcode")
     subject_of = _subjects(barcodes)
+    beyond = (barcode < 0) | (barcode >= 2**31 - UNKNOWN_BARCODE)
+    if beyond.any():
+        row = int(np.argmax(beyond))
+        raise ValueError(f"{measurement}: data row {row + 1}: no barcode is {barcode[row]}")
     ids = np.array([subject_of.get(b, UNKNOWN_BARCODE + b) for b in barcode.tolist()], np.int32)
     unmeasured = np.full(sighted.size, np.nan)
     recording.add_sightings(
         "MARKERS", "camera", sighted, ids, seen["bearing"], unmeasured, seen["range"]
     )
     recording.sort()
+    with np.errstate(over="ignore"):  # the map refuses what is infinite
+        sigma = np.sqrt((landmark["sigma_x"] ** 2 + landmark["sigma_y"] ** 2) / 2)
     return Log(
         kind=KIND,
         recording=recording,
@@ -88,7 +94,7 @@ def read(folder: Path, robot: int | None = None) -> Log:
             whole_numbers(landmark["id"], landmarks, "subject"),
             landmark["x"],
             landmark["y"],
-            np.sqrt((landmark["sigma_x"] ** 2 + landmark["sigma_y"] ** 2) / 2),
+            sigma,
         ),
         notes=(
             *order_notes(odometry, utime),

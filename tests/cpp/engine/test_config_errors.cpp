@@ -33,6 +33,14 @@ TEST(ConfigErrorTest, AnUnknownSectionIsNoBetterForBeingEmpty) {
     EXPECT_EQ(said("sensors: {}\n"), "") << "no sensor is a robot by dead reckoning";
 }
 
+TEST(ConfigErrorTest, ASectionThatHoldsItselfIsRefused) {
+    EXPECT_SAID("&a {motion: *a}\n", "robot.yaml:1: unknown key 'motion.motion.motion'");
+    EXPECT_SAID("&a {sensors: *a}\n", "robot.yaml:1: unknown key 'sensors.sensors.sensors'");
+    EXPECT_SAID("sensors: {camera: {fusion: &a {fusion: *a}}}\n",
+                "robot.yaml:1: 'sensors.camera.fusion' needs a value");
+    EXPECT_SAID("map: &a [*a]\n", "robot.yaml:1: a marker is written");
+}
+
 TEST(ConfigErrorTest, AKeyThatComesTwiceIsNamed) {
     EXPECT_SAID("gyro: {channel: A}\nencoders: {}\ngyro: {channel: B}\n",
                 "robot.yaml:3: key 'gyro' comes twice");
@@ -105,6 +113,13 @@ TEST(ConfigErrorTest, InputsMayNotShareAChannelUnlessTheyAreSensors) {
 TEST(ConfigErrorTest, AnOutputMayNotBeAnInput) {
     EXPECT_SAID("output: {pose: ENCODERS}\n",
                 "robot.yaml: output.pose 'ENCODERS' is an input's channel");
+}
+
+TEST(ConfigErrorTest, ARateOfPosesIsOneThatTimeCanBeCountedBy) {
+    for (const std::string rate : {"1e-300", "0.05", "1001", "1e9"})
+        EXPECT_SAID("output: {rate_hz: " + rate + "}\n", "robot.yaml: output.rate_hz is ");
+    for (const std::string rate : {"0", "0.1", "1000"})
+        EXPECT_EQ(said("output: {rate_hz: " + rate + "}\n"), "");
 }
 
 TEST(ConfigErrorTest, ASensorsNameIsOneWord) {

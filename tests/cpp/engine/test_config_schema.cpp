@@ -147,7 +147,8 @@ TEST(ConfigSchemaTest, AnUnknownKeyNamesTheNearest) {
         {"Map", "map"}};
     for (const auto& [wrong, right] : pairs) {
         Config config = with_sensor();
-        EXPECT_EQ(complaint<ConfigError>([&] { (void)field(config, wrong, "robot.yaml:3"); }),
+        EXPECT_EQ(complaint<ConfigError>(
+                      [&, wrong = wrong] { (void)field(config, wrong, "robot.yaml:3"); }),
                   std::string("robot.yaml:3: unknown key '") + wrong +
                       "'; the nearest known key is '" + right + "'");
     }

@@ -133,7 +133,8 @@ map: [{id: 1, x: 6, y: 2, z: 0.4}, {id: 2, x: 4, y: -4, sigma: 0.1}]
         EXPECT_GT(input.received, messages / 30) << input.channel;
         EXPECT_EQ(input.pending, 0) << input.channel;
     }
-    EXPECT_GT(bench.poses.size(), 5U);
+    // A peer that soon sends its clock far ahead ends them early.
+    EXPECT_GT(bench.poses.size(), static_cast<std::size_t>(messages / 5'000));
     EXPECT_GT(bench.reports.size(), 50U);
 }
 

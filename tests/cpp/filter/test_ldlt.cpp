@@ -52,6 +52,16 @@ TYPED_TEST(LdltTest, IndefiniteMatrixIsNeitherPositiveNorSemidefinite) {
     EXPECT_FALSE(negative.semidefinite());
 }
 
+TYPED_TEST(LdltTest, CovarianceWithoutVarianceIsIndefinite) {
+    Matrix<TypeParam, 3> a;
+    a << 0, -3, 0, -3, 0, 4, 0, 4, 5;
+    EXPECT_FALSE((Ldlt<TypeParam, 3>(a, TypeParam(1e-4)).semidefinite()));
+    EXPECT_FALSE((Ldlt<TypeParam, 3>(a).semidefinite()));
+    // Only after the first column it shows that nothing is left of the second variance.
+    a << 1, 1, 0, 1, 1, TypeParam(0.5), 0, TypeParam(0.5), 1;
+    EXPECT_FALSE((Ldlt<TypeParam, 3>(a, TypeParam(1e-4)).semidefinite()));
+}
+
 TYPED_TEST(LdltTest, SingularCovarianceIsSemidefiniteButNotPositive) {
     const Vector<TypeParam, 3> direction(1, 2, -1);
     const Matrix<TypeParam, 3> a = direction * direction.transpose();

@@ -4,6 +4,7 @@
 
 #include "pilotage/localizer.hpp"
 #include "support/allocations.hpp"
+#include "support/journeys.hpp"
 #include "support/random.hpp"
 #include "support/robots.hpp"
 
@@ -84,6 +85,82 @@ void expect_no_allocation(Fusion fusion) {
     EXPECT_GT(counter.count(Verdict::fused), 7000);
     EXPECT_GT(counter.sightings, counter.count(Verdict::fused) / 5);
     EXPECT_EQ(counter.count(Verdict::pending), -static_cast<long>(samples.size()));
+}
+
+/// Stands, creeps, drives, slips, is lifted, goes silent, in the order of arrival: all sightings
+/// half a second late, each tenth gyro sample too.
+std::vector<Sample> faulty_minute(const MarkerMap& map) {
+    Journey journey(map);
+    journey.gyro_bias = 0.004;
+    std::vector<std::pair<std::int64_t, Sample>> arrivals;
+    const auto go = [&](double seconds, double v, double omega) {
+        for (const Sample& sample : journey.go(seconds, v, omega)) {
+            const bool late = sample.stream == Stream::sighting ||
+                              (sample.stream == Stream::gyro && sample.seq % 10 == 0);
+            arrivals.emplace_back(sample.utime + (late ? 500'000 : 0), sample);
+        }
+    };
+    go(8, 0, 0);
+    go(4, 0.002, 0.002);
+    go(10, 0.3, 0.3);
+    journey.left_spin_m_s = 0.6;
+    go(5, 0.3, 0.3);
+    journey.left_spin_m_s = 0;
+    go(5, 0, 0);
+    journey.carried_rad_s = 0.7;
+    go(4, 0, 0);
+    journey.carried_rad_s = 0;
+    go(4, 0.3, 0);
+    journey.encoders = journey.gyro = false;
+    go(5, 0.3, 0);
+    journey.encoders = journey.gyro = true;
+    go(5, 0.3, 0.3);
+    std::stable_sort(arrivals.begin(), arrivals.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Sample> samples;
+    for (const auto& [time, sample] : arrivals) samples.push_back(sample);
+    return samples;
+}
+
+template <typename Scalar, int N>
+void expect_no_allocation_with_faults() {
+    const MarkerMap map = markers_around_origin();
+    const std::vector<Sample> samples = faulty_minute(map);
+    Params params = gyro_params();
+    params.gyro_bias.sigma = 0.01;
+    Counter counter;
+    Localizer<Scalar, N> before(params, map, counter), localizer(params, map, counter);
+    for (int i = 0; i < 50; ++i) before.add(samples[static_cast<std::size_t>(i)]);
+    const AllocationCount allocations;
+    EXPECT_TRUE(localizer.restore(before.checkpoint()));
+    bool seen[4] = {};
+    double sum = 0;
+    std::int64_t shift = 0;
+    for (const Sample& arrived : samples) {
+        Sample sample = arrived;
+        if (shift == 0 && sample.utime > 20 * kSecond) {
+            shift = 3600 * kSecond;
+            localizer.add(sighting_at(sample.utime + 1, 1, {0.3, kNan, kNan}));
+            localizer.set_time(localizer.estimate().utime + shift);
+        }
+        sample.utime += shift;
+        localizer.add(sample);
+        const Estimate e = localizer.estimate();
+        seen[static_cast<int>(e.motion)] = true;
+        sum += localizer.estimate(e.utime + 700'000).pose[kX] + localizer.checkpoint().state[0];
+    }
+    localizer.finish();
+    EXPECT_EQ(allocations.since(), 0) << sum;
+    for (int i = 0; i < 4; ++i) EXPECT_TRUE(seen[i]) << "motion state " << i << " was to be met";
+    EXPECT_EQ(counter.count(Verdict::no_motion), 1) << "waited when the clock was set";
+    EXPECT_GT(counter.count(Verdict::fused), 5000);
+}
+
+TEST(AllocationTest, NoneWithStandstillSlipLiftGapsLateSamplesAndARestart) {
+    expect_no_allocation_with_faults<double, 3>();
+    expect_no_allocation_with_faults<double, 6>();
+    expect_no_allocation_with_faults<float, 3>();
+    expect_no_allocation_with_faults<float, 6>();
 }
 
 TEST(AllocationTest, NoneInDoubleWithThreeStates) {

@@ -14,7 +14,16 @@ long AllocationCount::total() noexcept {
 }
 }  // namespace pilotage::test
 
+// gcc and clang say it in different ways.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define PILOTAGE_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define PILOTAGE_SANITIZED
+#endif
+#endif
+
+#ifdef PILOTAGE_SANITIZED
 
 // From <sanitizer/allocator_interface.h>, which not every gcc brings along.
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*,

@@ -10,7 +10,9 @@
 #include "engine/config_file.hpp"
 #include "engine/engine.hpp"
 #include "pilotage/pose_jump_t.hpp"
+#include "support/matchers.hpp"
 #include "support/messages.hpp"
+#include "support/samples.hpp"
 
 namespace pilotage::test {
 
@@ -47,6 +49,12 @@ class Bench final : private EngineOutput {
     }
     void send_bytes(const std::string& channel, const Bytes& bytes, std::int64_t received = 0);
 
+    /// Sends samples as messages that arrive at their own time, with a tick of the clock each
+    /// second; frames are the camera's.
+    void run(const std::vector<Sample>& samples);
+    /// Only the clock goes on: ticks until then.
+    void wait(std::int64_t until);
+
     Engine& engine() { return engine_; }
     /// The status at a time. \return the input of a channel (the first, where several share it)
     input_status_t input(const std::string& channel, std::int64_t now = 0);
@@ -56,6 +64,7 @@ class Bench final : private EngineOutput {
     void notice(const std::string& text) override { notices.push_back(text); }
     void checkpoint(const Bytes& bytes) override { checkpoints.push_back(bytes); }
 
+    std::int64_t next_tick_ = 0;
     Engine engine_;
 };
 

@@ -63,6 +63,18 @@ void Robot::finish() {
     std::visit([](auto& localizer) { localizer.finish(); }, localizer_);
 }
 
+void Robot::set_time(std::int64_t utime) {
+    std::visit([&](auto& localizer) { localizer.set_time(utime); }, localizer_);
+}
+
+Checkpoint Robot::checkpoint() const {
+    return std::visit([](const auto& localizer) { return localizer.checkpoint(); }, localizer_);
+}
+
+bool Robot::restore(const Checkpoint& from) {
+    return std::visit([&](auto& localizer) { return localizer.restore(from); }, localizer_);
+}
+
 bool Robot::has_pose() const {
     return std::visit([](const auto& localizer) { return localizer.has_pose(); }, localizer_);
 }
@@ -73,6 +85,10 @@ bool Robot::started() const {
 
 Estimate Robot::estimate() const {
     return std::visit([](const auto& localizer) { return localizer.estimate(); }, localizer_);
+}
+
+Estimate Robot::estimate(std::int64_t utime) const {
+    return std::visit([&](const auto& localizer) { return localizer.estimate(utime); }, localizer_);
 }
 
 Eigen::VectorXd Robot::state() const {

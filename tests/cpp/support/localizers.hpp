@@ -58,11 +58,15 @@ class Robot {
     bool add(const Sample& sample);
     void add(const std::vector<Sample>& samples);
     void finish();
+    void set_time(std::int64_t utime);
+    [[nodiscard]] Checkpoint checkpoint() const;
+    [[nodiscard]] bool restore(const Checkpoint& from);
     [[nodiscard]] int added() const { return added_; }
 
     [[nodiscard]] bool has_pose() const;
     [[nodiscard]] bool started() const;
     [[nodiscard]] Estimate estimate() const;
+    [[nodiscard]] Estimate estimate(std::int64_t utime) const;
     [[nodiscard]] Pose<double> pose() const { return estimate().pose; }
     [[nodiscard]] Eigen::VectorXd state() const;
     [[nodiscard]] Eigen::MatrixXd covariance() const;

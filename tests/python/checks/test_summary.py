@@ -22,7 +22,8 @@ def test_each_section_says_what_is_configured():
     assert "bearing 0.573°" in summary["sensors"][1]
     assert summary["start"] == ["x 0 m, y 0 m, σ 0.1 m; heading 0°, σ 3°"]
     assert summary["outputs"] == [
-        "pose_t on POSE, marker_report_t on MARKER_REPORT, status_t on STATUS"
+        "pose_t on POSE, odometry_t on ODOMETRY, pose_jump_t on POSE_JUMP",
+        "marker_report_t on MARKER_REPORT, status_t on STATUS",
     ]
 
 

@@ -35,6 +35,7 @@ def test_no_angle_leaves_the_half_open_turn() -> None:
     wrapped = wrap_angle(angles)
     assert np.all((wrapped > -np.pi) & (wrapped <= np.pi))
     np.testing.assert_allclose(np.cos(wrapped), np.cos(angles), atol=1e-12)
+    assert -np.pi < wrap_angle(1e300) <= np.pi
 
 
 def test_unknown_angle_stays_unknown() -> None:

@@ -87,6 +87,7 @@ def test_folder_without_any_robot_says_what_is_missing(tmp_path: Path) -> None:
         ({"odometry": "# nothing\n"}, r"Robot1_Odometry\.dat: holds no rows"),
         ({"odometry": "nan 0 0\n"}, r"Odometry\.dat: data row 1: time is nan"),
         ({"measurement": "1 2.5 1 1\n"}, r"Measurement\.dat: data row 1: barcode is 2\.5"),
+        ({"measurement": "1 -5 1 1\n"}, r"Measurement\.dat: data row 1: no barcode is -5"),
         ({"barcodes": "6 63\n7 63\n"}, r"Barcodes\.dat: barcode 63 stands for subjects 6 and 7"),
         ({"landmarks": "6 0 0 0 0\n6 1 1 0 0\n"}, r"Landmark_Groundtruth\.dat: .*6.*twice"),
     ],

@@ -60,7 +60,7 @@ def test_every_kind_of_bad_message_is_counted_and_the_node_goes_on(tmp_path: Pat
         counts = _counts(running.status_after(time.time() + 0.2))
         assert counts["ENCODERS"]["malformed"] == 2
         assert counts["ENCODERS"]["wrong_type"] == 3
-        assert counts["ENCODERS"]["bad_value"] == 2
+        assert counts["ENCODERS"]["clock"] == 2
         assert counts["ENCODERS"]["fused"] == 100
         assert counts["GYRO"] == {"fused": 100, "wrong_type": 1, "bad_value": 3, "implausible": 1}
         assert counts["MARKERS"] == {

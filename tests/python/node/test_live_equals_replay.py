@@ -1,11 +1,5 @@
 """A live run, and the replay of what was recorded of it, give the same bytes."""
 
-import os
-import signal
-import subprocess
-import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,8 +12,8 @@ from pilotage.lcmtypes import pose_t
 from pilotage.live import URL, play, send
 from pilotage.simulate import SCENARIOS, Simulation, simulate
 from support.bus import Node, node
+from support.logger import lcm_logger
 
-LOGGER = Path(sys.executable).parent / "lcm-logger"
 INPUTS = ("encoders", "gyro", "sensors.scanner")
 SPEED = 10.0
 
@@ -35,18 +29,6 @@ def _simulated(duration_s: float = 20.0, noise: float = 1.0, policy: str = "utim
     for name in INPUTS:
         simulation.config[f"{name}.time"] = policy
     return simulation
-
-
-@contextmanager
-def _lcm_logger(log: Path) -> Iterator[None]:
-    """lcm-logger, which is a script around the program: both are ended, as one group."""
-    command = [str(LOGGER), "--quiet", "--flush-interval=10", f"--lcm-url={URL}", str(log)]
-    process = subprocess.Popen(command, start_new_session=True)
-    try:
-        yield
-    finally:
-        os.killpg(process.pid, signal.SIGINT)
-        process.wait(timeout=10)
 
 
 def _raw(running: Node, *channels: str) -> dict[str, list[bytes]]:
@@ -77,7 +59,7 @@ def test_what_lcm_logger_recorded_beside_the_node_gives_its_poses(tmp_path: Path
     sent = simulation.recording.messages("ENCODERS")
     for attempt, speed in enumerate((1.0, 0.5, 0.25)):
         log = tmp_path / f"logger{attempt}.lcmlog"
-        with _lcm_logger(log), node(tmp_path, simulation.config.to_yaml()) as running:
+        with lcm_logger(log), node(tmp_path, simulation.config.to_yaml()) as running:
             live = _raw(running, "POSE")
             running.wait(lambda log=log: log.exists() and log.stat().st_size > 0, "lcm-logger")
             play(simulation.recording, speed, url=URL)

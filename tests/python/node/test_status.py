@@ -3,13 +3,16 @@
 import json
 import signal
 import subprocess
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 
-from pilotage.lcmtypes import gyro_t
+from pilotage.lcmtypes import gyro_t, status_t
 from pilotage.live import URL
-from support.bus import frame, node
+from support.bus import Node, frame, node
 from support.command import PILOTAGE, pilotage
 
 
@@ -24,16 +27,37 @@ def test_the_exit_status_tells_waiting_from_well(tmp_path: Path):
         assert "WAITING since" in waiting.stdout
         assert "for encoders_t on ENCODERS" in waiting.stdout
         running.drive(20)
-        running.send("MARKERS", frame(1_100_000, 0, (1, 0.17, 2.9), (9, 0.0, 1.0)))
-        running.drive(20, first=20)
-        running.wait(lambda: len(running.messages["POSE"]) == 40, "poses")
-        running.status_after(running.messages["STATUS"][-1].utime * 1e-6)
-        well = _status("--once", "--json")
+        for i in range(3):
+            seen = (1, 0.17, 2.9 - 0.01 * i)
+            running.send("MARKERS", frame(1_100_000 + 10_000 * i, i, seen, (9, 0.0, 1.0)))
+        with _driving(running, first=20):
+            running.wait(lambda: running.messages["STATUS"][-1].state == status_t.OK, "OK")
+            well = _status("--once", "--json")
         assert well.returncode == 0, well.stdout + well.stderr
         said = json.loads(well.stdout)["status"]
         assert said["state"] == "OK"
         assert said["inputs"][0]["name"] == "camera"
-        assert said["inputs"][0]["rejected"] == [{"reason": "unknown_marker", "count": 1}]
+        assert said["inputs"][0]["rejected"] == [{"reason": "unknown_marker", "count": 3}]
+
+
+@contextmanager
+def _driving(running: Node, first: int) -> Iterator[None]:
+    """Drive on in real time meanwhile."""
+    stop = threading.Event()
+
+    def drive() -> None:
+        step = first
+        while not stop.wait(0.01):
+            running.drive(1, first=step)
+            step += 1
+
+    thread = threading.Thread(target=drive)
+    thread.start()
+    try:
+        yield
+    finally:
+        stop.set()
+        thread.join()
 
 
 @pytest.mark.parametrize("options", [[], ["--json"]])

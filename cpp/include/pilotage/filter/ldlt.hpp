@@ -29,6 +29,12 @@ class Ldlt {
             positive_ = positive_ && positive;
             semidefinite_ =
                 semidefinite_ && (positive || (pivot >= -slack && std::isfinite(slack)));
+            // What has no variance has no covariance either.
+            if (!positive)
+                each<M>([&](int j) {
+                    if (j > k && !(rest(j, k) * rest(j, k) <= slack * scale[j]))
+                        semidefinite_ = false;
+                });
             each<M>([&](int j) {
                 if (j <= k) return;
                 lower_(j, k) = known_zero(rest(j, k)) ? Scalar(0) : rest(j, k) * inverse_[k];

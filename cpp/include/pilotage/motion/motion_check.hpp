@@ -50,7 +50,8 @@ class MotionCheck {
     bool add(const RotationStep& step, const RotationTolerance& tolerance) noexcept {
         released_rad_ = 0;
         if (step.ticked && (state_ == MotionState::standing || state_ == MotionState::lifted)) {
-            if (state_ == MotionState::standing) released_rad_ = open_.gyro_turn_rad;
+            if (state_ == MotionState::standing && !gyro_suspect_)
+                released_rad_ = disbelieved_rad_ + open_.gyro_turn_rad;
             become(MotionState::driving);
             open_ = Sums{};
         }
@@ -68,15 +69,19 @@ class MotionCheck {
                     std::fmax(open_.fastest_rad_s, std::abs(*step.gyro_turn_rad) / step.dt_s);
         }
         if (open_.duration_s < kWindow_s) return false;
-        judge(tolerance);
+        judge(tolerance, step.gyro_turn_rad.value_or(0));
         open_ = Sums{};
         return true;
     }
 
     [[nodiscard]] MotionState state() const noexcept { return state_; }
     [[nodiscard]] const Window& window() const noexcept { return window_; }
-    /// What the gyro told since the last whole window of standstill, and was not believed then: the
-    /// robot has begun to move.
+    /// Whether it has stood for so long that it does not just creep from tick to tick.
+    [[nodiscard]] bool settled() const noexcept {
+        return state_ == MotionState::standing && window_.in_a_row > kSettling;
+    }
+    /// What the gyro told since the last whole window of standstill, or since it began where that
+    /// has not settled, and was not believed then: the robot moves.
     [[nodiscard]] double released_rad() const noexcept { return released_rad_; }
     /// The gyro contradicts the wheels as slip and lift do not explain: by a larger turn than
     /// theirs, one the other way, one that never changes, or one that nobody could carry out.
@@ -84,6 +89,7 @@ class MotionCheck {
 
    private:
     static constexpr double kWindow_s = 0.5;
+    static constexpr int kSettling = 4;  ///< windows without a tick; a creeping robot has none
     static constexpr double kSigmas = 4.5;
     static constexpr double kWild_rad_s = 6;     // who carries a robot does not turn like this
     static constexpr double kScaleError = 0.15;  ///< of the wheels' turn, which every skid has
@@ -95,7 +101,9 @@ class MotionCheck {
         bool ticked = false, heard = true, frozen = false;
     };
 
-    void judge(const RotationTolerance& t) noexcept {
+    /// \param last_turn_rad by the gyro in the window's last step, which is believed if the robot
+    /// turns out not to stand
+    void judge(const RotationTolerance& t, double last_turn_rad) noexcept {
         const double time_s = open_.duration_s;
         const double variance = open_.wheel_variance + t.gyro_variance_per_s * time_s +
                                 t.gyro_bias_variance * time_s * time_s;
@@ -103,16 +111,19 @@ class MotionCheck {
         const double difference = open_.wheel_turn_rad - open_.gyro_turn_rad;
         const bool agree =
             !open_.heard || std::abs(difference) <= kSigmas * std::sqrt(variance) + slack;
-        const bool suspected = gyro_suspect_;
+        const bool suspected = gyro_suspect_, stood = state_ == MotionState::standing;
         const bool no_slip = open_.frozen || open_.gyro_turn_rad * open_.wheel_turn_rad < 0 ||
                              std::abs(open_.gyro_turn_rad) > std::abs(open_.wheel_turn_rad);
         const bool no_lift = suspected || open_.fastest_rad_s > kWild_rad_s;
         gyro_suspect_ = !agree && (open_.ticked ? no_slip : no_lift);
-        if (state_ == MotionState::standing && !open_.ticked && !agree && !gyro_suspect_)
-            released_rad_ = open_.gyro_turn_rad;
         become(open_.ticked
                    ? (agree ? MotionState::driving : MotionState::slipping)
                    : (agree || gyro_suspect_ ? MotionState::standing : MotionState::lifted));
+        if (stood && state_ == MotionState::lifted)
+            released_rad_ = open_.gyro_turn_rad - last_turn_rad;
+        const bool stands_on = stood && state_ == MotionState::standing && agree;
+        disbelieved_rad_ =
+            stands_on && window_.in_a_row < kSettling ? disbelieved_rad_ + open_.gyro_turn_rad : 0;
         window_.by_gyro = !suspected;
         window_.duration_s = time_s;
         window_.distance_m = open_.distance_m;
@@ -128,7 +139,7 @@ class MotionCheck {
 
     MotionState state_ = MotionState::driving;
     bool gyro_suspect_ = false;
-    double released_rad_ = 0;
+    double released_rad_ = 0, disbelieved_rad_ = 0;
     Sums open_;
     Window window_;
 };
