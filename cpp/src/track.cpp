@@ -125,43 +125,21 @@ template <typename Scalar, int N>
 Increment<Scalar> Tracker<Scalar, N>::measure(Track& track, const Sample& motion,
                                               Verdict& verdict) const noexcept {
     const MotionParams& params = params_.motion;
-    const bool by_ticks = params.source == MotionSource::encoders;
     const double dt_s = seconds_between<double>(track.utime, motion.utime);
-    const bool gap = dt_s > params.max_gap_s;
     const std::optional<double> gyro_turn_rad = track.gyro.take(motion.utime, params.max_gap_s);
     verdict = Verdict::fused;
-
-    RotationStep rotation;
-    Increment<Scalar> u;
-    if (by_ticks) {
-        const EncoderTicks before = track.ticks.last(), now = motion.payload.ticks;
-        double left_m = 0, right_m = 0;
-        if (track.ticks.advance(now, dt_s, params_.wheels, left_m, right_m) == TickFault::reset)
-            verdict = Verdict::counter_reset;
-        u = from_wheels(Scalar(left_m), Scalar(right_m), Scalar(dt_s),
-                        Scalar(params_.wheels.track_width_m), params_.noise);
-        rotation.ticked = !(now == before);
-        rotation.wheel_variance = double(u.covariance(1, 1));
-    } else {
-        const BodyVelocity& velocity = motion.payload.velocity;
-        u = from_velocity(Scalar(velocity.v_m_s), Scalar(velocity.omega_rad_s),
-                          Scalar(std::fmin(dt_s, params.max_gap_s)), params_.noise);
-        rotation.ticked = velocity.v_m_s != 0 || velocity.omega_rad_s != 0;
-        // Of such a message nobody says that it comes from wheels.
-        if (rotation.ticked) rotation.wheel_variance = kNoIdea_rad;
-    }
-    u.dt_s = Scalar(dt_s);
     Pose<double> doubt = Pose<double>::Zero();
+    RotationStep rotation;
+    Increment<Scalar> u = params.source == MotionSource::encoders
+                              ? by_wheels(track, motion.payload.ticks, dt_s, rotation, verdict)
+                              : by_velocity(motion.payload.velocity, dt_s, rotation);
     if (verdict == Verdict::counter_reset)
         doubt = farthest(track, dt_s, gyro_turn_rad.has_value());
-    else if (gap && by_ticks)
+    else if (dt_s > params.max_gap_s && params.source == MotionSource::encoders)
         doubt = variances(kCrooked * double(u.distance_m), 0);
-    else if (gap)
+    else if (dt_s > params.max_gap_s)
         doubt = farthest(track, dt_s - params.max_gap_s, gyro_turn_rad.has_value());
 
-    rotation.dt_s = dt_s;
-    rotation.distance_m = double(u.distance_m);
-    rotation.wheel_turn_rad = double(u.turn_rad);
     if (gyro_turn_rad) {
         rotation.gyro_turn_rad = *gyro_turn_rad - gyro_bias(track) * dt_s;
         rotation.gyro_frozen = track.gyro.frozen();
@@ -176,6 +154,36 @@ Increment<Scalar> Tracker<Scalar, N>::measure(Track& track, const Sample& motion
     u.doubt = useful(track.filter, doubt);
     if (dt_s > 0) track.motion = u;
     track.driven = calibrated_motion(track.filter.state(), u, params_);
+    return u;
+}
+
+/// \param rotation receives what the wheels have to say of it
+template <typename Scalar, int N>
+Increment<Scalar> Tracker<Scalar, N>::by_wheels(Track& track, const EncoderTicks& ticks,
+                                                double dt_s, RotationStep& rotation,
+                                                Verdict& verdict) const noexcept {
+    const bool ticked = !(ticks == track.ticks.last());
+    double left_m = 0, right_m = 0;
+    if (track.ticks.advance(ticks, dt_s, params_.wheels, left_m, right_m) == TickFault::reset)
+        verdict = Verdict::counter_reset;
+    const auto u = from_wheels(Scalar(left_m), Scalar(right_m), Scalar(dt_s),
+                               Scalar(params_.wheels.track_width_m), params_.noise);
+    rotation = {dt_s, ticked, double(u.distance_m), double(u.turn_rad), double(u.covariance(1, 1)),
+                {},   false};
+    return u;
+}
+
+/// Of a velocity message nobody says that its turn comes from wheels, so it is held against nothing
+/// but a standstill.
+template <typename Scalar, int N>
+Increment<Scalar> Tracker<Scalar, N>::by_velocity(const BodyVelocity& velocity, double dt_s,
+                                                  RotationStep& rotation) const noexcept {
+    const bool moves = velocity.v_m_s != 0 || velocity.omega_rad_s != 0;
+    auto u = from_velocity(Scalar(velocity.v_m_s), Scalar(velocity.omega_rad_s),
+                           Scalar(std::fmin(dt_s, params_.motion.max_gap_s)), params_.noise);
+    u.dt_s = Scalar(dt_s);
+    rotation = {dt_s, moves, double(u.distance_m), double(u.turn_rad), moves ? kNoIdea_rad : 0,
+                {},   false};
     return u;
 }
 

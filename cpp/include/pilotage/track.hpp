@@ -137,6 +137,11 @@ class Tracker {
     [[nodiscard]] Assessment assess(const Track& track, double silent_s) const noexcept;
 
    private:
+    [[nodiscard]] Increment<Scalar> by_wheels(Track& track, const EncoderTicks& ticks, double dt_s,
+                                              RotationStep& rotation,
+                                              Verdict& verdict) const noexcept;
+    [[nodiscard]] Increment<Scalar> by_velocity(const BodyVelocity& velocity, double dt_s,
+                                                RotationStep& rotation) const noexcept;
     [[nodiscard]] Pose<double> judged_window(Track& track) const noexcept;
     [[nodiscard]] Pose<double> farthest(const Track& track, double time_s,
                                         bool turn_known) const noexcept;
