@@ -12,8 +12,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND PILOTAGE_RELEASE_FLAGS -frename-registers)
 endif()
 
-set(PILOTAGE_WARNING_FLAGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor
-                           -Woverloaded-virtual)
+# Of -Wconversion what gcc and clang agree on.
+set(PILOTAGE_WARNING_FLAGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                           -Wnon-virtual-dtor -Woverloaded-virtual)
 if(PILOTAGE_WERROR)
   list(APPEND PILOTAGE_WARNING_FLAGS -Werror)
 endif()

@@ -307,10 +307,6 @@ void check(const Config& config, const std::string& where) {
         !std::isnan(start.x_m) + !std::isnan(start.y_m) + !std::isnan(start.heading_rad);
     if (given != 0 && given != 3)
         fail(where, "initial needs x_m, y_m and heading_rad together, or none of them");
-    constexpr double most_hz = 1000;
-    if (config.output.rate_hz > most_hz)
-        fail(where, "output.rate_hz is " + std::to_string(config.output.rate_hz) +
-                        ", expected at most 1000");
     std::set<std::string> channels;
     const auto take = [&](const std::string& name, const std::string& channel) {
         if (!channels.insert(channel).second)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -224,9 +225,12 @@ std::int64_t Engine::tick_period() const noexcept {
 }
 
 void Engine::review_inputs() {
+    const Input& motion = inputs_[motion_];
+    const auto motion_now =
+        motion.seen() ? std::optional<std::int64_t>(motion.now(now_)) : std::nullopt;
     for (Input& input : inputs_) {
         const bool was_well = input.problem().empty();
-        const std::string& now = input.review(now_, needed(input));
+        const std::string& now = input.review(now_, needed(input), motion_now);
         if (was_well == now.empty()) continue;
         const std::string what = now.empty() ? "well again; it was: " + input.trouble() : now;
         tell(input.name(), input.name() + " (" + input.channel() + "): " + what);

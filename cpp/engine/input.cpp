@@ -100,8 +100,9 @@ double Input::age_s(std::int64_t now) const noexcept {
     return seen_ ? std::fmax(0, seconds_from(last_received_, now)) : NAN;
 }
 
-const std::string& Input::review(std::int64_t now, bool needed) {
-    std::string found = find_problem(now, needed);
+const std::string& Input::review(std::int64_t now, bool needed,
+                                 std::optional<std::int64_t> motion_now) {
+    std::string found = find_problem(now, needed, motion_now);
     if (problem_.empty() && !found.empty()) trouble_ = found;
     problem_ = std::move(found);
     reviewed_ = counts();
@@ -111,13 +112,16 @@ const std::string& Input::review(std::int64_t now, bool needed) {
     return problem_;
 }
 
-std::string Input::find_problem(std::int64_t now, bool needed) const {
+std::string Input::find_problem(std::int64_t now, bool needed,
+                                std::optional<std::int64_t> motion_now) const {
     constexpr double patience_s = 0.6, intervals = 3.5;
     std::string rejected = rejections();
     if (needed && seen_ && age_s(now) > std::fmax(patience_s, intervals * interval_s_))
         return rejected.empty() ? words("silent for %.1f s", age_s(now)) : rejected;
     if (std::string clock = clock_problem(); !clock.empty()) return clock;
     if (!rejected.empty()) return rejected;
+    if (std::string ahead = seen_ && motion_now ? ahead_of(*motion_now, now) : ""; !ahead.empty())
+        return ahead;
     if (std::string rate = rate_problem(); !rate.empty()) return rate;
     return contradictions();
 }
@@ -162,6 +166,15 @@ std::string Input::clock_problem() const {
         return words("its clock runs %.0f ppm %s", std::abs(clock_.skew_ppm()),
                      clock_.skew_ppm() > 0 ? "slow" : "fast");
     return "";
+}
+
+/// Of samples that the motion's samples may never reach.
+std::string Input::ahead_of(std::int64_t motion_now, std::int64_t now_received) const {
+    constexpr double most_s = 0.5;  // no message arrives before its time
+    const double ahead_s = seconds_from(motion_now, now(now_received));
+    if (ahead_s <= most_s) return "";
+    return words("its samples are dated %.1f s ahead of the motion's: are the clocks in step?",
+                 ahead_s);
 }
 
 /// What most of the samples since the last review were rejected for, if most were.

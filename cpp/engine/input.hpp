@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "codecs.hpp"
@@ -63,15 +64,19 @@ class Input {
 
     /// Looks back over the time since the last call, and says what was wrong with it; empty if all
     /// went well. \param needed its silence is a problem
-    const std::string& review(std::int64_t now, bool needed);
+    /// \param motion_now now() of the motion's input, to compare the clocks
+    const std::string& review(std::int64_t now, bool needed,
+                              std::optional<std::int64_t> motion_now = std::nullopt);
     [[nodiscard]] input_status_t status(std::int64_t now) const;
 
    private:
     using Counts = std::array<std::int64_t, kVerdicts + kMessageFaults>;
 
     [[nodiscard]] double age_s(std::int64_t now) const noexcept;
-    [[nodiscard]] std::string find_problem(std::int64_t now, bool needed) const;
+    [[nodiscard]] std::string find_problem(std::int64_t now, bool needed,
+                                           std::optional<std::int64_t> motion_now) const;
     [[nodiscard]] std::string clock_problem() const;
+    [[nodiscard]] std::string ahead_of(std::int64_t motion_now, std::int64_t now) const;
     [[nodiscard]] std::string rate_problem() const;
     [[nodiscard]] std::string rejections() const;
     [[nodiscard]] std::string contradictions() const;

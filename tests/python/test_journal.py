@@ -122,6 +122,18 @@ def test_a_fault_is_named_within_two_seconds_in_the_status_and_in_the_journal(fa
     assert any(fault.words in line for line in again)
 
 
+@pytest.mark.parametrize(("channel", "name"), [("GYRO", "gyro"), ("MARKERS", "camera")])
+def test_an_input_whose_clock_was_set_and_no_other_stays_named(channel: str, name: str):
+    """Its stamps are believed again, but the motion does not reach them."""
+    hour = Hour()
+    hour.drive(20)
+    hour.drive(30, _changed(channel, _ahead))
+    assert set(hour.problems(name, hour.robot.utime - 20 * SECOND)) == {
+        "its samples are dated 3.0 s ahead of the motion's: are the clocks in step?"
+    }
+    assert sum(line.startswith(name + " (") for _, line in hour.bench.said) == 1
+
+
 def test_an_hour_of_faults_leaves_a_short_journal():
     rng, hour = random.Random(1), Hour()
     hour.drive(20)

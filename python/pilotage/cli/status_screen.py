@@ -29,7 +29,7 @@ def screen(health: Health) -> RenderableType:
     problems = [
         Text.assemble((f"{entry.name}: ", "bold red"), (entry.problem, "red"))
         for entry in status.inputs
-        if entry.problem
+        if entry.problem and f"{entry.name}: {entry.problem}" not in status.reason
     ]
     heading = Text(f"pilotage-node {status.version or DASH} on {health.url}", style="dim")
     return Group(
