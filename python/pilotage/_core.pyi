@@ -7,6 +7,10 @@ import numpy
 import numpy.typing
 import typing
 __all__: list[str] = ['ArcUnicycle', 'CalibratedArc', 'Config', 'ConfigError', 'DifferentialDrive', 'Ekf3', 'Ekf6', 'Engine', 'GyroDrive', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'Policy', 'Recording', 'Run', 'UpdateReport', 'load_config', 'read_checkpoint', 'read_table', 'replay']
+class ConfigError(ValueError):
+    """
+    A configuration or map that cannot be used; names file, line, key, value and what was expected.
+    """
 class MarkerMap:
     """
     The surveyed markers, sorted by id.
@@ -52,10 +56,6 @@ class MarkerMap:
         """
         (n,) float [m]
         """
-class ConfigError(ValueError):
-    """
-    A configuration or map that cannot be used; names file, line, key, value and what was expected.
-    """
 class Config:
     """
     All that a run needs besides its input.
