@@ -27,16 +27,20 @@ class SenderClock {
         last_seq_ = seq;
         if (messages_++ == 0) first_ = received;
         const std::int64_t offset = received - utime;
-        const std::int64_t off = offset - map_.offset_us();
+        // Against the fastest message none can be ahead, and against the last one none can be much
+        // later; a sender that is slow all along is only slow.
+        const std::int64_t ahead = map_.offset_us() - offset, later = offset - last_offset_;
         const bool settled = received - first_ >= kPersistent_us && messages_ > kPersistent;
         const bool as_before = held_ > 0 && std::abs(offset - held_offset_) <= kAhead_us;
-        const bool good = -kAhead_us <= off && off <= (as_before ? kAhead_us : kBehind_us);
-        if (!settled || (good && !(backward && off > kAhead_us))) {
+        const bool odd = ahead > kAhead_us || later > kBehind_us ||
+                         ((backward || as_before) && later > kAhead_us);
+        if (!settled || !odd) {
             held_ = 0;
+            last_offset_ = offset;
             (void)map_.map(utime, received);
             return Stamp::good;
         }
-        jump_us_ = off;
+        jump_us_ = ahead > 0 ? -ahead : later;
         if (!as_before) {
             held_ = 0;
             held_offset_ = offset;
@@ -45,6 +49,7 @@ class SenderClock {
         if (++held_ <= kPersistent || received - held_since_ < kPersistent_us) return Stamp::jumped;
         map_ = {};
         (void)map_.map(utime, received);
+        last_offset_ = offset;
         held_ = 0;
         ++steps_;
         return Stamp::followed;
@@ -79,7 +84,7 @@ class SenderClock {
 
     ClockMap map_;
     std::int64_t first_ = 0, last_utime_ = 0, moved_ = 0, still_us_ = 0, messages_ = 0;
-    std::int64_t held_offset_ = 0, held_since_ = 0, jump_us_ = 0;
+    std::int64_t last_offset_ = 0, held_offset_ = 0, held_since_ = 0, jump_us_ = 0;
     std::int64_t repeated_ = 0, steps_ = 0;
     std::int32_t last_seq_ = 0;
     int held_ = 0;
