@@ -57,7 +57,7 @@ def _replayed(simulation: Simulation, log: Path) -> pilotage.Recording:
 def test_what_lcm_logger_recorded_beside_the_node_gives_its_poses(tmp_path: Path):
     simulation = _simulated(duration_s=5.0)
     sent = simulation.recording.messages("ENCODERS")
-    for attempt in range(3):  # not slower each time: stamps that lag are taken for a clock's fault
+    for attempt in range(3):
         log = tmp_path / f"logger{attempt}.lcmlog"
         with lcm_logger(log), node(tmp_path, simulation.config.to_yaml()) as running:
             live = _raw(running, "POSE")
