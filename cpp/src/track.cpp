@@ -300,10 +300,11 @@ SightingReport Tracker<Scalar, N>::sight(Track& track, const Sample& sample) con
 template <typename Scalar, int N>
 void Tracker<Scalar, N>::consider(Track& track, const Sample& sample) const noexcept {
     Alternative<Scalar, N>& other = track.alternative;
+    const bool begun = other.active;  // else nothing in it means anything
     other.active = track.agreement.disagrees();
     if (!other.active) return;
-    const bool fresh = other.markers == 0 && other.agreement.in_a_row() == 0;
-    if (fresh || other.agreement.disagrees()) {
+    const bool useless = other.markers == 0 && other.agreement.in_a_row() == 0;
+    if (!begun || useless || other.agreement.disagrees()) {
         other.agreement = {};
         other.markers = 0;
         other.filter = track.filter;
