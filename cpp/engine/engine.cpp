@@ -26,6 +26,13 @@ constexpr std::int64_t kEver = std::numeric_limits<std::int64_t>::max();
     throw std::runtime_error(what);
 }
 
+/// The receive clock as far as sums and differences of its times fit in 64 bits: what reads a
+/// damaged log may say anything.
+std::int64_t within_time(std::int64_t received) noexcept {
+    constexpr std::int64_t limit = std::int64_t{1} << 60;
+    return std::clamp(received, -limit, limit);
+}
+
 using AnyLocalizer =
     std::variant<Localizer<double, kPoseStates>, Localizer<double, kCalibratedStates>>;
 
@@ -70,6 +77,7 @@ void Engine::restore(const Bytes& checkpoint) {
 
 void Engine::handle(std::string_view channel, std::int64_t received, const std::uint8_t* data,
                     std::size_t size) {
+    received = within_time(received);
     now_ = received;
     const std::int64_t fingerprint = fingerprint_of(data, size);
     const Codec* codec = find_codec(fingerprint);
@@ -205,6 +213,7 @@ void Engine::publish_due(std::int64_t end) {
 }
 
 void Engine::tick(std::int64_t now, std::int64_t drops) {
+    now = within_time(now);
     now_ = now;
     publish_due(kEver);
     if (tick_period() == kSecond || std::abs(now - status_made_) >= kSecond - tick_period() / 2) {

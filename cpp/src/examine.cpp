@@ -68,7 +68,10 @@ Verdict examine(const Sample& sample, const Params& params) noexcept {
                        : Verdict::pending;
         }
         case Stream::sighting:
-            return usable(payload.sighting) ? Verdict::pending : Verdict::bad_value;
+            if (!usable(payload.sighting)) return Verdict::bad_value;
+            for (const double v : payload.sighting.value)
+                if (std::abs(v) > kFarthest) return Verdict::implausible;
+            return Verdict::pending;
     }
     return Verdict::bad_value;
 }

@@ -44,6 +44,11 @@ TEST_P(RefusalTest, AnInfiniteValueIsBad) {
             expect_refused(GetParam(), sighting_with(i, bad, kNan), Verdict::bad_value);
 }
 
+TEST_P(RefusalTest, ARangeBeyondAnyMapIsImplausible) {
+    for (const double far : {1.1e7, 1e28, -1e300})
+        expect_refused(GetParam(), sighting_with(2, far, kNan), Verdict::implausible);
+}
+
 TEST_P(RefusalTest, ASigmaMustBePositiveAndFinite) {
     for (int i = 0; i < 3; ++i)
         for (const double bad : {0.0, -0.01, kInf, -kInf})
