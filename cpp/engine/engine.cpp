@@ -156,6 +156,7 @@ void Engine::follow_clock(std::int64_t utime, std::int64_t received) {
     moved_ = received;
     if (!set || std::abs(utime - passed - last) <= slack) return;
     std::visit([&](auto& localizer) { localizer.set_time(utime - passed); }, localizer_);
+    clock_set_ = true;
 }
 
 /// The input of a channel; where several sensors share one, the one that the frame names, else the
@@ -199,15 +200,20 @@ void Engine::publish_moved() {
     if (config_.output.rate_hz == 0) publisher_.pose(e, pose_output_.resets());
     publisher_.odometry(e, pose_output_.odometry());
     if (jump) publisher_.jump(*jump, e.utime, pose_output_.resets());
+    if (clock_set_) next_pose_ = 0;  // now that the jump is announced, stamps may go back
+    clock_set_ = false;
 }
 
 /// Poses at a rate of their own, as far as time has passed, of moments before `end`.
 void Engine::publish_due(std::int64_t end) {
-    if (config_.output.rate_hz == 0 || !started()) return;
+    if (config_.output.rate_hz == 0 || !started() || clock_set_) return;
     const auto period = static_cast<std::int64_t>(kSecond / config_.output.rate_hz);
-    const std::int64_t now = inputs_[motion_].now(now_);
-    // The start, or a clock was set.
-    if (next_pose_ == 0 || std::abs(now - next_pose_) > kSecond + period) next_pose_ = now;
+    // Past that the pose is LOST; and our own clock may have been set.
+    const double longest_s = config_.params.status.lost_after_s;
+    const std::int64_t now =
+        std::min(inputs_[motion_].now(now_),
+                 estimate().utime + static_cast<std::int64_t>(longest_s * kSecond));
+    if (next_pose_ == 0 || now - next_pose_ > kSecond + period) next_pose_ = now;
     for (; next_pose_ <= now && next_pose_ < end; next_pose_ += period)
         publisher_.pose(estimate(next_pose_), pose_output_.resets());
 }

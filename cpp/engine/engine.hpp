@@ -100,6 +100,7 @@ class Engine final : private Listener {
     // Receive clock [us].
     std::int64_t now_ = 0, moved_ = 0, since_ = 0, status_made_ = 0, checkpoint_made_ = 0;
     std::int64_t next_pose_ = 0;  // sample time
+    bool clock_set_ = false;      // and no motion sample has come since
     Status status_ = Status::waiting;
     std::int32_t checkpoints_ = 0, reset_seq_ = -1;
     std::string reset_answer_;

@@ -17,8 +17,10 @@ constexpr double kLeastSpeed_m_s = 0.5;   // without a measured speed
 constexpr double kLeastTurn_rad_s = 0.3;  // without a measured turn
 constexpr double kCarried_m_s = 1;        // whoever carries it walks
 constexpr double kCrooked = 0.3;          // of a distance driven unseen: how far off a plain arc
-constexpr double kMoved_m = 0.3;          // while it was switched off
-constexpr double kMoved_rad = 0.1;
+constexpr double kMoved_m = 0.5;          // while it was switched off
+constexpr double kMoved_rad = 0.2;
+constexpr double kRough_m = 0.3;  // a pose found from sightings that were linearised far from it
+constexpr double kRough_rad = 0.1;
 constexpr int kEnoughMarkers = 3;  // that agree on one pose: two may be swapped, or both be moved
 // Beyond these, more doubt tells nothing more.
 constexpr double kNoIdea_m = 10;
@@ -319,6 +321,7 @@ void Tracker<Scalar, N>::consider(Track& track, const Sample& sample) const noex
     if (other.agreement.in_a_row() < Agreement::kSettled || different(other.markers) < enough_)
         return;
     track.filter = other.filter;
+    doubt(track.filter, variances(kRough_m, kRough_rad));
     track.agreement = other.agreement;
     track.agreed_utime = sample.utime;
     other.active = false;
