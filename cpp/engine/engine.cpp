@@ -208,8 +208,8 @@ void Engine::publish_moved() {
 void Engine::publish_due(std::int64_t end) {
     if (config_.output.rate_hz == 0 || !started() || clock_set_) return;
     const auto period = static_cast<std::int64_t>(kSecond / config_.output.rate_hz);
-    // Past that the pose is LOST; and our own clock may have been set.
-    const double longest_s = config_.params.status.lost_after_s;
+    // By then the pose has been LOST for long; and our own clock may have been set.
+    const double longest_s = 2 * config_.params.status.lost_after_s;
     const std::int64_t now =
         std::min(inputs_[motion_].now(now_),
                  estimate().utime + static_cast<std::int64_t>(longest_s * kSecond));
