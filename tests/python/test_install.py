@@ -22,6 +22,7 @@ def run(*command, **env):
 
 
 def script(path, text):
+    path.unlink(missing_ok=True)  # a link would lead to the machine's own command
     path.write_text(f"#!/bin/sh\n{text}\n")
     path.chmod(0o755)
 
