@@ -151,10 +151,10 @@ bool Engine::take(Input& input, Sample& sample, const Input::Date& date) {
 /// Where the clock that dates motion was set, time goes on from there.
 void Engine::follow_clock(std::int64_t utime, std::int64_t received) {
     constexpr std::int64_t slack = kSecond / 4;
-    const std::int64_t last = estimate().utime, passed = received - moved_;
-    const bool set = inputs_[motion_].clock_was_set();
+    const std::int64_t passed = received - moved_;
     moved_ = received;
-    if (!set || std::abs(utime - passed - last) <= slack) return;
+    if (!inputs_[motion_].clock_was_set() || std::abs(utime - passed - estimate().utime) <= slack)
+        return;
     std::visit([&](auto& localizer) { localizer.set_time(utime - passed); }, localizer_);
     clock_set_ = true;
 }

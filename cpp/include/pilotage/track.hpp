@@ -84,7 +84,7 @@ struct Track {
     Vector<Scalar, 2> driven = {0, 0};  ///< (distance [m], turn [rad]) of the last motion sample
     std::int32_t resets = 0;
     bool started = false;   ///< a motion sample has come
-    bool restored = false;  ///< from a checkpoint, and no motion sample has come since
+    bool restored = false;  ///< begun from a checkpoint
 };
 
 /// Carries tracks on. Holds what does not change.
