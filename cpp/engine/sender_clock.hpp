@@ -32,11 +32,14 @@ class SenderClock {
         const std::int64_t ahead = map_.offset_us() - offset, later = offset - last_offset_;
         const bool settled = received - first_ >= kPersistent_us && messages_ > kPersistent;
         const bool as_before = held_ > 0 && std::abs(offset - held_offset_) <= kAhead_us;
-        const bool odd = ahead > kAhead_us || later > kBehind_us ||
+        // Of messages far apart a clock that runs fast, as in a fast replay, puts each far ahead.
+        const bool odd = ahead > kAhead_us + 2 * step_us_ || later > kBehind_us ||
                          ((backward || as_before) && later > kAhead_us);
         if (!settled || !odd) {
             held_ = 0;
             last_offset_ = offset;
+            step_us_ = last_good_ == 0 ? 0 : std::abs(utime - last_good_);
+            last_good_ = utime;
             (void)map_.map(utime, received);
             return Stamp::good;
         }
@@ -86,6 +89,7 @@ class SenderClock {
     std::int64_t first_ = 0, last_utime_ = 0, moved_ = 0, still_us_ = 0, messages_ = 0;
     std::int64_t last_offset_ = 0, held_offset_ = 0, held_since_ = 0, jump_us_ = 0;
     std::int64_t repeated_ = 0, steps_ = 0;
+    std::int64_t last_good_ = 0, step_us_ = 0;  // between the latest good stamps
     std::int32_t last_seq_ = 0;
     int held_ = 0;
 };
