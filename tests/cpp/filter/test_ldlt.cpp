@@ -105,5 +105,12 @@ TYPED_TEST(LdltTest, NotANumberAnywhereBelowIsNoCovariance) {
         }
 }
 
+TYPED_TEST(LdltTest, AVarianceBelowZeroIsNoRounding) {
+    Matrix<TypeParam, 2> a = Matrix<TypeParam, 2>::Identity();
+    a(0, 0) = TypeParam(-1e-6);
+    Vector<TypeParam, 2> before(1e6, 1);
+    EXPECT_FALSE((Ldlt<TypeParam, 2>(a, TypeParam(1e-4), before).semidefinite()));
+}
+
 }  // namespace
 }  // namespace pilotage::test

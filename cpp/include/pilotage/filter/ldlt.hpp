@@ -27,8 +27,9 @@ class Ldlt {
             const bool positive = pivot > slack;
             inverse_[k] = positive ? 1 / pivot : Scalar(0);
             positive_ = positive_ && positive;
-            semidefinite_ =
-                semidefinite_ && (positive || (pivot >= -slack && std::isfinite(slack)));
+            // A pivot may be a rounding below zero, a variance may not.
+            semidefinite_ = semidefinite_ && (positive || (pivot >= -slack && a(k, k) >= 0 &&
+                                                           std::isfinite(slack)));
             // What has no variance has no covariance either.
             if (!positive)
                 each<M>([&](int j) {
@@ -48,7 +49,7 @@ class Ldlt {
     /// Every pivot is above the tolerance; false for NaN.
     [[nodiscard]] bool positive() const noexcept { return positive_; }
 
-    /// No pivot is below minus the tolerance; false for NaN.
+    /// No diagonal entry is negative, no pivot below minus the tolerance; false for NaN.
     [[nodiscard]] bool semidefinite() const noexcept { return semidefinite_; }
 
     /// x with A x = b.
