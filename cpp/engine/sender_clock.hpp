@@ -32,14 +32,16 @@ class SenderClock {
         const std::int64_t ahead = map_.offset_us() - offset, later = offset - last_offset_;
         const bool settled = received - first_ >= kPersistent_us && messages_ > kPersistent;
         const bool as_before = held_ > 0 && std::abs(offset - held_offset_) <= kAhead_us;
-        // Of messages far apart a clock that runs fast, as in a fast replay, puts each far ahead.
-        const bool odd = ahead > kAhead_us + 2 * step_us_ || later > kBehind_us ||
+        const bool odd = (ahead > kAhead_us && !runs_fast()) || later > kBehind_us ||
                          ((backward || as_before) && later > kAhead_us);
         if (!settled || !odd) {
             held_ = 0;
             last_offset_ = offset;
-            step_us_ = last_good_ == 0 ? 0 : std::abs(utime - last_good_);
-            last_good_ = utime;
+            if (messages_ == 1)
+                begun_ = {utime, received};
+            else if (received - begun_.received > kPace_us)
+                begun_ = latest_;
+            latest_ = {utime, received};
             (void)map_.map(utime, received);
             return Stamp::good;
         }
@@ -52,6 +54,7 @@ class SenderClock {
         if (++held_ <= kPersistent || received - held_since_ < kPersistent_us) return Stamp::jumped;
         map_ = {};
         (void)map_.map(utime, received);
+        begun_ = latest_ = {utime, received};
         last_offset_ = offset;
         held_ = 0;
         ++steps_;
@@ -80,16 +83,26 @@ class SenderClock {
     }
 
    private:
+    struct Moment {
+        std::int64_t utime = 0, received = 0;
+    };
+
+    /// As the stamps of a recording do that is played fast: each is ahead of all before it.
+    [[nodiscard]] bool runs_fast() const noexcept {
+        return (latest_.utime - begun_.utime) / 2 > latest_.received - begun_.received;
+    }
+
     static constexpr std::int64_t kAhead_us = 250'000;     // no message arrives before its time
     static constexpr std::int64_t kBehind_us = 3'000'000;  // too late for any history
     static constexpr std::int64_t kPersistent_us = 1'000'000;
     static constexpr int kPersistent = 5;  // messages
+    static constexpr std::int64_t kPace_us = 10'000'000;
 
     ClockMap map_;
     std::int64_t first_ = 0, last_utime_ = 0, moved_ = 0, still_us_ = 0, messages_ = 0;
     std::int64_t last_offset_ = 0, held_offset_ = 0, held_since_ = 0, jump_us_ = 0;
     std::int64_t repeated_ = 0, steps_ = 0;
-    std::int64_t last_good_ = 0, step_us_ = 0;  // between the latest good stamps
+    Moment begun_, latest_;  // good stamps, some time ago and now: the clock's pace
     std::int32_t last_seq_ = 0;
     int held_ = 0;
 };

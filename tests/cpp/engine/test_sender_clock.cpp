@@ -51,6 +51,25 @@ TEST(SenderClockTest, HealthyStampsAreGoodWhateverTheOffset) {
     }
 }
 
+TEST(SenderClockTest, AFastReplayOfRareMessagesIsNoJump) {
+    SenderClock clock;
+    std::int64_t stamp = kOff, received = 10 * kSecond;
+    for (int i = 0; i < 2000; ++i) {
+        EXPECT_EQ(clock.look(stamp, i, received), Stamp::good) << "message " << i;
+        const std::int64_t pause = (i % 7 == 0 ? 20 : 2) * kSecond;
+        stamp += pause;
+        received += pause / 50;
+    }
+}
+
+TEST(SenderClockTest, AJumpAheadIsToldHoweverRareTheMessages) {
+    SenderClock clock;
+    std::int64_t now = 10 * kSecond;
+    for (int i = 0; i < 20; ++i, now += 2 * kSecond)
+        EXPECT_EQ(clock.look(now - kOff, i, now), Stamp::good);
+    EXPECT_EQ(clock.look(now - kOff + kSecond, 20, now), Stamp::jumped);
+}
+
 TEST(SenderClockTest, DelaysOfAnyTwoSecondsAreGood) {
     Sender sender;
     for (int i = 0; i < 5000; ++i) {

@@ -1,5 +1,6 @@
 """`pilotage demo`, on a machine without a route for multicast."""
 
+import json
 import os
 import shutil
 import subprocess
@@ -32,6 +33,7 @@ def test_it_says_what_is_missing_and_runs_live_in_a_private_network(tmp_path: Pa
     assert "pilotage-node answered with 54901 poses" in result.stdout
     assert "the same, byte for byte" in result.stdout
     assert "position error, RMSE" in result.stdout
+    assert json.loads((tmp_path / "metrics.json").read_text())["counts"]["rejected"] == {}
     assert {path.name for path in tmp_path.iterdir()} >= LEFT | {"node.lcmlog", "robot.yaml"}
     again = pilotage("replay", tmp_path / "node.lcmlog", "--no-figures", "-o", tmp_path / "again")
     assert again.returncode == 0, again.stderr
