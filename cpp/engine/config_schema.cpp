@@ -133,6 +133,37 @@ bool parse(const std::string& text, Number& number) {
     return error == std::errc{} && end == last;
 }
 
+constexpr const char* kNameExpected = "1 to 60 bytes of readable text";
+
+/// Length of the UTF-8 character at the front, 0 if there is none that people can read.
+std::size_t readable(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (byte(0) < 0x80) return byte(0) >= ' ' && byte(0) <= '~' ? 1 : 0;
+    const std::size_t length = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
+    if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < length) return 0;
+    unsigned code = byte(0) & (0xffU >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xc0) != 0x80) return 0;
+        code = code << 6 | (byte(i) & 0x3fU);
+    }
+    constexpr unsigned shortest[] = {0, 0, 0xa0, 0x800, 0x10000};
+    const bool surrogate = code >= 0xd800 && code <= 0xdfff;
+    const bool special = code == 0xfeff || code >= 0xfff0;
+    return code < shortest[length] || surrogate || special ? 0 : length;
+}
+
+/// What stands on one line, in YAML and in a log.
+bool is_name(std::string_view text) {
+    constexpr std::size_t longest = 60;
+    if (text.empty() || text.size() > longest) return false;
+    while (!text.empty()) {
+        const std::size_t length = readable(text);
+        if (length == 0) return false;
+        text.remove_prefix(length);
+    }
+    return true;
+}
+
 [[noreturn]] void fail(const std::string& where, const std::string& what) {
     throw ConfigError(where + ": " + what);
 }
@@ -142,8 +173,9 @@ bool parse(const std::string& text, Number& number) {
 int Config::sensor(std::string_view name, const std::string& where) {
     const auto at = std::find(sensor_names.begin(), sensor_names.end(), name);
     if (at != sensor_names.end()) return static_cast<int>(at - sensor_names.begin());
-    if (name.empty() || name.find('.') != std::string_view::npos)
-        fail(where, "'" + std::string(name) + "' is no name for a sensor: empty, or with a dot");
+    if (!is_name(name) || name.find('.') != std::string_view::npos)
+        fail(where, "'" + std::string(name) + "' is no name for a sensor: expected " +
+                        kNameExpected + ", none of them a dot");
     if (params.sensor_count == Params::kMaxSensors)
         fail(where, "sensors." + std::string(name) + ": there can be at most " +
                         std::to_string(Params::kMaxSensors) + " sensors");
@@ -286,7 +318,8 @@ void Field::set(const std::string& text, const std::string& where) const {
         if (!parse(text, v) || v < 1 || v > 1'000'000) refuse("a whole number from 1 to 1000000");
         **integer = v;
     } else if (const auto* string = std::get_if<std::string*>(&value)) {
-        if (text.empty()) refuse("a name");
+        const bool file = key == "map";
+        if (file ? text.empty() : !is_name(text)) refuse(file ? "a file" : kNameExpected);
         **string = text;
     } else {
         const auto& choice = std::get<Choice>(value);

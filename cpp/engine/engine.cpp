@@ -101,7 +101,7 @@ void Engine::handle(std::string_view channel, std::int64_t received, const std::
     }
     bool moved = false;
     for (Sample& sample : decoded_.samples) moved |= take(*input, sample, date);
-    if (moved) publish_moved();
+    if (moved && started()) publish_moved();
     publish_due(kEver);
 }
 
@@ -330,7 +330,7 @@ std::string Engine::waiting_for() const {
     const bool has_pose =
         std::visit([](const auto& localizer) { return localizer.has_pose(); }, localizer_);
     if (!has_pose)
-        want("a start pose (pose_reset_t on " + config_.reset.channel +
+        want("markers enough to find the pose (or pose_reset_t on " + config_.reset.channel +
              ", or initial: in the configuration)");
     const auto input_want = [&](const Input& input) {
         if (needed(input) && !input.seen())

@@ -39,6 +39,19 @@ std::string explain(const Assessment& a) {
         case Reason::unconfirmed:
             return words("%.0f of the %.0f sightings in a row that confirm the pose", a.value,
                          a.limit);
+        case Reason::found:
+            return words("a pose is found; it has held for %.0f of %.0f frames: drive on", a.value,
+                         a.limit);
+        case Reason::rival:
+            return words(
+                "the sightings fit another pose nearly as well (%.1f nats, %.1f decide): drive on, "
+                "or set the pose",
+                a.value, a.limit);
+        case Reason::elsewhere:
+            return words(
+                "another pose explains the latest sightings better by %.1f nats (limit %.1f): was "
+                "the robot moved?",
+                a.value, a.limit);
         case Reason::disagreement:
             return words(
                 "the sightings contradict the motion (mean NIS %.1f per degree of freedom, limit "

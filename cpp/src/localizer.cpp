@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "pilotage/assess.hpp"
 #include "pilotage/examine.hpp"
 
 namespace pilotage {
@@ -19,37 +20,34 @@ bool is_motion(const Sample& sample) noexcept {
 
 template <typename Scalar, int N>
 Localizer<Scalar, N>::Localizer(const Params& params, MarkerMap map, Listener& listener)
-    : tracker_(params, std::move(map)),
+    : tracker_(params),
+      fixer_(params, map),
+      search_(params, std::move(map)),
       listener_(&listener),
-      history_(static_cast<std::size_t>(params.history.capacity)) {
+      history_(static_cast<std::size_t>(params.history.capacity)),
+      base_(tracker_.anywhere()) {
     const InitialParams& start = params.initial;
     if (std::isnan(start.x_m) || std::isnan(start.y_m) || std::isnan(start.heading_rad)) return;
     const Pose<double> sigma(start.sigma_position_m, start.sigma_position_m,
                              start.sigma_heading_rad);
     base_ =
         tracker_.start({start.x_m, start.y_m, start.heading_rad}, sigma.cwiseAbs2().asDiagonal());
-    initialized_ = true;
 }
 
 template <typename Scalar, int N>
 bool Localizer<Scalar, N>::restore(const Checkpoint& from) noexcept {
-    if (!tracker_.restore(from, base_)) return false;
-    initialized_ = true;
-    return true;
+    return tracker_.restore(from, base_);
 }
 
 template <typename Scalar, int N>
 bool Localizer<Scalar, N>::add(const Sample& sample) noexcept {
     const Verdict first = examine(sample, tracker_.params());
     if (first != Verdict::pending) return refuse(sample, first, NAN, NAN);
-    if (!initialized_ && sample.stream == Stream::reset) {
-        const PoseReset& reset = sample.payload.reset;
-        base_ = tracker_.start(Pose<double>(reset.pose), covariance_of(reset));
-        initialized_ = true;
+    if (!has_pose() && !newest().started && sample.stream == Stream::reset) {
+        fixer_.reset(base_, sample.payload.reset);
         listener_->on_verdict(sample, Verdict::pending, Verdict::fused);
         return false;
     }
-    if (!initialized_) return refuse(sample, Verdict::not_initialized, NAN, NAN);
     const double age_s = seconds_between<double>(sample.utime, newest().utime);
     const double window_s = tracker_.params().history.window_s;
     if (newest().started && age_s > window_s) return refuse(sample, Verdict::late, age_s, window_s);
@@ -82,6 +80,7 @@ bool Localizer<Scalar, N>::insert(const Sample& sample) noexcept {
     node.sample = sample;
     node.verdict = Verdict::pending;
     node.revision = 0;
+    node.seen = false;
     if (sample.stream == Stream::gyro) settle(node, Verdict::fused);
     if (!is_motion(sample)) {
         if (place + 1 < history_.size()) recompute(place);
@@ -123,6 +122,8 @@ void Localizer<Scalar, N>::forget_front() noexcept {
                        tracker_.params().motion.max_gap_s);
     else if (front.verdict == Verdict::pending)
         dismiss(front, Verdict::no_motion);
+    else if (front.seen)
+        memory_.add({front.sample.utime, front.evidence});
     history_.pop_front();
 }
 
@@ -131,6 +132,7 @@ void Localizer<Scalar, N>::set_time(std::int64_t utime) noexcept {
     const Track now = newest();
     finish();
     while (history_.size() > 0) history_.pop_front();
+    memory_ = {};
     base_ = now;
     base_.agreed_utime += utime - base_.utime;
     base_.utime = utime;
@@ -183,6 +185,8 @@ void Localizer<Scalar, N>::advance(Track& track, std::size_t from, std::size_t t
         if (history_[i].sample.stream == Stream::gyro) continue;
         move_to(history_[i].sample.utime);
         correct(track, history_[i]);
+        const bool frame_ends = i + 1 == to || !same_frame(history_[i + 1].sample, history_[i].sample);
+        if (frame_ends && history_[i].seen && fixer_.doubtful(track)) search(track, i);
     }
     track.utime = motion.sample.utime;
     if (rest.dt_s > 0 || rest.distance_m != 0 || rest.turn_rad != 0) tracker_.drive(track, rest);
@@ -207,13 +211,30 @@ void Localizer<Scalar, N>::begin(Track& track, std::size_t from, std::size_t to)
 template <typename Scalar, int N>
 void Localizer<Scalar, N>::correct(Track& track, Node& node) noexcept {
     if (node.sample.stream == Stream::reset) {
-        tracker_.reset(track, node.sample.payload.reset);
+        fixer_.reset(track, node.sample.payload.reset);
         return settle(node, Verdict::fused);
     }
-    SightingReport report = tracker_.sight(track, node.sample);
+    node.evidence = fixer_.evidence(track, node.sample, search_);
+    SightingReport report = fixer_.sight(track, node.sample);
+    node.seen = report.verdict != Verdict::unknown_marker;
     report.revision = node.revision++;
     listener_->on_sighting(report);
     settle(node, report.verdict);
+}
+
+/// Looks for other poses that explain the latest sightings, up to the one at `newest`.
+template <typename Scalar, int N>
+void Localizer<Scalar, N>::search(Track& track, std::size_t newest) noexcept {
+    Evidence evidence[PoseSearch::kMostEvidence];
+    int count = 0;
+    const auto take = [&](std::int64_t utime, const Evidence& e) {
+        if (count < PoseSearch::kMostEvidence && utime >= track.evidence_since)
+            evidence[count++] = e;
+    };
+    for (std::size_t i = newest + 1; i-- > 0;)
+        if (history_[i].seen) take(history_[i].sample.utime, history_[i].evidence);
+    memory_.each_newest_first([&](const Memory::Item& item) { take(item.utime, item.evidence); });
+    fixer_.search(track, evidence, count, search_);
 }
 
 /// Says no to a sample that has a place in the history.
@@ -268,7 +289,7 @@ Estimate Localizer<Scalar, N>::describe(const Track& track, double silent_s) con
         e.v_m_s = double(driven[0] / track.motion.dt_s);
         e.omega_rad_s = double(driven[1] / track.motion.dt_s);
     }
-    if (initialized_) static_cast<Assessment&>(e) = tracker_.assess(track, silent_s);
+    static_cast<Assessment&>(e) = assess(track, tracker_.params(), silent_s);
     e.motion = track.check.state();
     e.disagreement_rad = track.check.window().disagreement_rad;
     e.gyro_left_out = track.check.gyro_suspect();

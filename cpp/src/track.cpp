@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "pilotage/examine.hpp"
 
 namespace pilotage {
 
 namespace {
-
-constexpr double kChiSquare95 = 5.991464547107979;  // of two degrees of freedom
 
 // How far a robot may be off that nobody measures, in sigmas.
 constexpr double kLeastSpeed_m_s = 0.5;   // without a measured speed
@@ -19,9 +16,6 @@ constexpr double kCarried_m_s = 1;        // whoever carries it walks
 constexpr double kCrooked = 0.3;          // of a distance driven unseen: how far off a plain arc
 constexpr double kMoved_m = 0.5;          // while it was switched off
 constexpr double kMoved_rad = 0.2;
-constexpr double kRough_m = 0.3;  // a pose found from sightings that were linearised far from it
-constexpr double kRough_rad = 0.1;
-constexpr int kEnoughMarkers = 3;  // that agree on one pose: two may be swapped, or both be moved
 // Beyond these, more doubt tells nothing more.
 constexpr double kNoIdea_m = 10;
 constexpr double kNoIdea_rad = 1;
@@ -37,18 +31,20 @@ Pose<double> variances(double sigma_m, double sigma_rad) noexcept {
     return {square(sigma_m), square(sigma_m), square(sigma_rad)};
 }
 
-/// Largest standard deviation of the position in any direction, squared.
+/// Variances that are larger tell nothing more, and squares of them would overflow at last.
 template <typename Scalar, int N>
-double largest_position_variance(const Ekf<Scalar, N>& filter) noexcept {
-    const auto p = filter.covariance().template topLeftCorner<2, 2>().template cast<double>();
-    const double mean = (p(0, 0) + p(1, 1)) / 2, half = (p(0, 0) - p(1, 1)) / 2;
-    return mean + std::hypot(half, p(1, 0));
-}
-
-int different(std::uint64_t bits) noexcept {
-    int n = 0;
-    for (; bits != 0; bits &= bits - 1) ++n;
-    return n;
+Ekf<Scalar, N> bounded(const Ekf<Scalar, N>& filter) noexcept {
+    const Matrix<Scalar, N>& p = filter.covariance();
+    const auto most = [](int i) { return Scalar(i < kHeading ? kUnsurest : kUnsurestHeading); };
+    if (!p.allFinite())
+        return {filter.state(),
+                diagonal(entries<Vector<Scalar, N>>([&](int i, int) { return most(i); }))};
+    const auto shrink = entries<Vector<Scalar, N>>([&](int i, int) {
+        return p(i, i) > most(i) ? std::sqrt(most(i) / p(i, i)) : Scalar(1);
+    });
+    return {filter.state(), symmetric<Matrix<Scalar, N>>([&](int i, int j) {
+                return shrink[i] * p(i, j) * shrink[j];
+            })};
 }
 
 /// So many times the first one's variance comes with the n-th of equal errors in a row: they add up
@@ -60,16 +56,17 @@ double growth(int n) noexcept {
 }  // namespace
 
 template <typename Scalar, int N>
-Tracker<Scalar, N>::Tracker(const Params& params, MarkerMap map)
-    : params_(params), map_(std::move(map)) {
-    const WheelParams& wheels = params.wheels;
-    enough_ = std::min<int>(kEnoughMarkers, static_cast<int>(map_.markers().size()));
-    tick_rad_ = std::max(std::abs(wheels.left_m_per_tick), std::abs(wheels.right_m_per_tick)) /
-                wheels.track_width_m;
-    for (int i = 0; i < params.sensor_count; ++i) {
-        const MarkerSensorParams& sensor = params.sensors[i];
-        policies_[i] = Policy::make(sensor.fusion, sensor.gate_false_reject, sensor.student_t_dof);
-    }
+Tracker<Scalar, N>::Tracker(const Params& params) noexcept
+    : params_(params),
+      tick_rad_(std::max(std::abs(params.wheels.left_m_per_tick),
+                         std::abs(params.wheels.right_m_per_tick)) /
+                params.wheels.track_width_m) {}
+
+template <typename Scalar, int N>
+Track<Scalar, N> Tracker<Scalar, N>::anywhere() const noexcept {
+    Track track = start({0, 0, 0}, Matrix<double, 3>::Zero());
+    track.located = false;
+    return track;
 }
 
 template <typename Scalar, int N>
@@ -78,6 +75,7 @@ Track<Scalar, N> Tracker<Scalar, N>::start(const Pose<double>& pose,
     Track track;
     track.filter = start_filter<Scalar, N>(Pose<Scalar>(pose.template cast<Scalar>()),
                                            covariance.template cast<Scalar>(), params_);
+    track.located = true;
     return track;
 }
 
@@ -118,7 +116,8 @@ void Tracker<Scalar, N>::begin(Track& track, const Sample& motion) const noexcep
         const bool unmoved =
             track.restored && track.ticks.last() == now && (now.left != 0 || now.right != 0);
         track.ticks.start(now);
-        if (unmoved) return track.agreement.confirm();
+        track.confirmed = unmoved;
+        if (unmoved) return;
     }
     if (track.restored) doubt(track.filter, variances(kMoved_m, kMoved_rad));
 }
@@ -155,6 +154,9 @@ Increment<Scalar> Tracker<Scalar, N>::measure(Track& track, const Sample& motion
     if (ended) doubt += judged_window(track);
     u.doubt = useful(track.filter, doubt);
     if (dt_s > 0) track.motion = u;
+    const Pose<Scalar> wander = pose_process_noise(u, params_.noise);
+    track.drift.position_m2 += double(u.covariance(0, 0) + wander[kX]);
+    track.drift.heading_rad2 += double(u.covariance(1, 1) + wander[kHeading]);
     track.driven = calibrated_motion(track.filter.state(), u, params_);
     return u;
 }
@@ -215,9 +217,14 @@ Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
         case MotionState::driving:
             break;
     }
-    if (track.alternative.active)
-        this->doubt(track.alternative.filter, farthest(track, window.duration_s, false));
     return doubt;
+}
+
+template <typename Scalar, int N>
+void Tracker<Scalar, N>::drive(Track& track, const Increment<Scalar>& u) const noexcept {
+    dead_reckon(track.filter, u, params_);
+    if (!(track.filter.covariance().trace() <= Scalar(kUnsurestHeading)))
+        track.filter = bounded(track.filter);
 }
 
 /// Variances of the pose after a time of which nothing is known but how fast the robot was.
@@ -284,65 +291,6 @@ void Tracker<Scalar, N>::learn_bias(Track& track) const noexcept {
 }
 
 template <typename Scalar, int N>
-SightingReport Tracker<Scalar, N>::sight(Track& track, const Sample& sample) const noexcept {
-    const Policy& policy = policies_[sample.source];
-    const SightingReport report =
-        fuse_sighting(track.filter, sample, map_, params_.sensors[sample.source], policy);
-    if (report.verdict == Verdict::fused || report.verdict == Verdict::gate) {
-        track.agreement.add(report.nis, report.dof, policy.gate_nis[report.dof - 1]);
-        if (track.agreement.last_agreed()) track.agreed_utime = sample.utime;
-        if (track.agreement.disagrees() || track.alternative.active) consider(track, sample);
-    }
-    return report;
-}
-
-/// While the sightings contradict the estimate: takes the alternative in its place once that agrees
-/// with all that was seen of several markers. Sightings that contradict each other never make it
-/// agree, and the estimate stays where motion brought it.
-template <typename Scalar, int N>
-void Tracker<Scalar, N>::consider(Track& track, const Sample& sample) const noexcept {
-    Alternative<Scalar, N>& other = track.alternative;
-    const bool begun = other.active;  // else nothing in it means anything
-    other.active = track.agreement.disagrees();
-    if (!other.active) return;
-    const bool useless = other.markers == 0 && other.agreement.in_a_row() == 0;
-    if (!begun || useless || other.agreement.disagrees()) {
-        other.agreement = {};
-        other.markers = 0;
-        other.filter = track.filter;
-        doubt(other.filter, variances(kNoIdea_m, kNoIdea_rad));
-    }
-    const Policy& policy = policies_[sample.source];
-    const SightingReport report =
-        fuse_sighting(other.filter, sample, map_, params_.sensors[sample.source], policy);
-    if (report.verdict != Verdict::fused && report.verdict != Verdict::gate) return;
-    other.agreement.add(report.nis, report.dof, policy.gate_nis[report.dof - 1]);
-    if (report.agrees) other.markers |= std::uint64_t{1} << (report.id & 63);
-    if (other.agreement.in_a_row() < Agreement::kSettled || different(other.markers) < enough_)
-        return;
-    track.filter = other.filter;
-    doubt(track.filter, variances(kRough_m, kRough_rad));
-    track.agreement = other.agreement;
-    track.agreed_utime = sample.utime;
-    other.active = false;
-}
-
-template <typename Scalar, int N>
-void Tracker<Scalar, N>::reset(Track& track, const PoseReset& to) const noexcept {
-    Vector<Scalar, N> x = track.filter.state();
-    Matrix<Scalar, N> p = track.filter.covariance();
-    x.template head<3>() = Vector<double, 3>(to.pose).template cast<Scalar>();
-    x[kHeading] = wrap(x[kHeading]);
-    p.template topRows<3>().setZero();
-    p.template leftCols<3>().setZero();
-    p.template topLeftCorner<3, 3>() = covariance_of(to).template cast<Scalar>();
-    track.filter = Ekf<Scalar, N>(x, p);
-    track.agreement.doubt();
-    track.alternative.active = false;
-    ++track.resets;
-}
-
-template <typename Scalar, int N>
 Track<Scalar, N> Tracker<Scalar, N>::predicted(Track track, std::int64_t utime) const noexcept {
     const auto ahead_s = seconds_between<double>(track.utime, utime);
     if (!track.started || !(ahead_s > 0)) return track;
@@ -354,35 +302,6 @@ Track<Scalar, N> Tracker<Scalar, N>::predicted(Track track, std::int64_t utime) 
     drive(track, u);
     track.utime = utime;
     return track;
-}
-
-template <typename Scalar, int N>
-Assessment Tracker<Scalar, N>::assess(const Track& track, double silent_s) const noexcept {
-    const StatusParams& p = params_.status;
-    if (!track.started) return {Status::waiting, Reason::no_motion, 0, 0};
-    const Agreement& agreement = track.agreement;
-    const double disagreement = agreement.mean();
-    if (!agreement.confirmed())
-        return agreement.disagrees()
-                   ? Assessment{Status::initializing, Reason::disagreement, disagreement,
-                                Agreement::kTooMuch}
-                   : Assessment{Status::initializing, Reason::unconfirmed,
-                                double(agreement.in_a_row()), double(Agreement::kConfirming)};
-    if (agreement.disagrees())
-        return {Status::lost, Reason::disagreement, disagreement, Agreement::kTooMuch};
-    const double radius_m = std::sqrt(kChiSquare95 * largest_position_variance(track.filter));
-    const double unfixed_s = seconds_between<double>(track.agreed_utime, track.utime);
-    if (silent_s > p.lost_after_s)
-        return {Status::lost, Reason::motion_gap, silent_s, p.lost_after_s};
-    if (!(radius_m <= p.lost_limit_m))
-        return {Status::lost, Reason::unsure, radius_m, p.lost_limit_m};
-    if (silent_s > params_.motion.max_gap_s)
-        return {Status::dead_reckoning, Reason::motion_gap, silent_s, params_.motion.max_gap_s};
-    if (unfixed_s > p.dead_reckoning_after_s)
-        return {Status::dead_reckoning, Reason::no_sighting, unfixed_s, p.dead_reckoning_after_s};
-    if (!(radius_m <= p.alert_limit_m))
-        return {Status::dead_reckoning, Reason::unsure, radius_m, p.alert_limit_m};
-    return {Status::ok, Reason::none, 0, 0};
 }
 
 template class Tracker<double, kPoseStates>;

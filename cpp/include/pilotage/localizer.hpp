@@ -6,7 +6,10 @@
 #include <cstdint>
 #include <limits>
 
+#include "pilotage/fixer.hpp"
 #include "pilotage/history.hpp"
+#include "pilotage/search/memory.hpp"
+#include "pilotage/search/pose_search.hpp"
 #include "pilotage/track.hpp"
 
 namespace pilotage {
@@ -65,10 +68,10 @@ class Localizer {
     /// What is older can no longer change, what waits is rejected as no_motion.
     void set_time(std::int64_t utime) noexcept;
 
-    /// False until a pose is configured or set.
-    [[nodiscard]] bool has_pose() const noexcept { return initialized_; }
+    /// False until a pose is configured, set or found.
+    [[nodiscard]] bool has_pose() const noexcept { return newest().located; }
     /// False until a pose is known and the first motion sample has come.
-    [[nodiscard]] bool started() const noexcept { return initialized_ && newest().started; }
+    [[nodiscard]] bool started() const noexcept { return newest().located && newest().started; }
 
     /// The estimate at the newest motion sample.
     [[nodiscard]] Estimate estimate() const noexcept;
@@ -91,6 +94,8 @@ class Localizer {
         Sample sample;
         Verdict verdict;
         std::int32_t revision;
+        bool seen;  ///< there is `evidence`
+        Evidence evidence;
         Track track;
     };
 
@@ -106,6 +111,7 @@ class Localizer {
     void advance(Track& track, std::size_t from, std::size_t to) noexcept;
     void begin(Track& track, std::size_t from, std::size_t to) noexcept;
     void correct(Track& track, Node& node) noexcept;
+    void search(Track& track, std::size_t newest) noexcept;
     void dismiss(Node& node, Verdict verdict) noexcept;
     void settle(Node& node, Verdict verdict) noexcept;
 
@@ -115,10 +121,12 @@ class Localizer {
     [[nodiscard]] Estimate describe(const Track& track, double silent_s) const noexcept;
 
     Tracker<Scalar, N> tracker_;
+    Fixer<Scalar, N> fixer_;
+    PoseSearch search_;
     Listener* listener_;
     History<Node> history_;
     Track base_;  // what came before the first sample of the history
-    bool initialized_ = false;
+    Memory memory_;  // of sightings older than that
 };
 
 extern template class Localizer<double, kPoseStates>;

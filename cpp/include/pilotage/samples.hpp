@@ -90,4 +90,9 @@ struct Sample {
     }
 };
 
+/// Sightings that one sensor made at one moment; in order they stand side by side.
+[[nodiscard]] inline bool same_frame(const Sample& a, const Sample& b) noexcept {
+    return a.utime == b.utime && a.stream == b.stream && a.seq == b.seq && a.source == b.source;
+}
+
 }  // namespace pilotage

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// The estimate at one moment with all that decides its future, and how it is carried on: by
-/// motion, by sightings, by a pose from outside.
+/// motion.
 
 #include <cstdint>
 
@@ -9,82 +9,59 @@
 #include "pilotage/dead_reckoning.hpp"
 #include "pilotage/filter/agreement.hpp"
 #include "pilotage/filter/ekf.hpp"
-#include "pilotage/fuse_sighting.hpp"
-#include "pilotage/marker_map.hpp"
+#include "pilotage/judge.hpp"
 #include "pilotage/motion/motion_check.hpp"
 #include "pilotage/motion/odometer.hpp"
 #include "pilotage/params.hpp"
 #include "pilotage/samples.hpp"
+#include "pilotage/search/frame.hpp"
+#include "pilotage/status.hpp"
 #include "pilotage/verdict.hpp"
 
 namespace pilotage {
 
-/// What the status promises; the values are status_t's.
-enum class Status : std::int8_t {
-    waiting = 0,         ///< for a pose or for motion
-    initializing = 1,    ///< a pose is assumed, sightings have not confirmed it
-    ok = 2,              ///< the error is inside the covariance, and that is below the alert limit
-    dead_reckoning = 3,  ///< no sighting for a while, or less sure than the alert limit asks
-    ambiguous = 4,
-    lost = 5,  ///< not to be used: the sightings contradict it, or its error has no bound
-};
-
-/// Why the status is not ok.
-enum class Reason : std::uint8_t {
-    none,
-    no_pose,
-    no_motion,
-    unconfirmed,   ///< sightings that agree, so far
-    disagreement,  ///< mean NIS per degree of freedom
-    no_sighting,   ///< seconds without one that agrees
-    unsure,        ///< 95 % radius [m]
-    motion_gap,    ///< seconds without motion
-};
-
-struct Assessment {
-    Status status = Status::waiting;
-    Reason reason = Reason::no_pose;
-    double value = 0, limit = 0;  ///< what decided, in the unit of the reason
-};
-
-/// Another idea of the pose, begun when the sightings contradict the estimate: it starts from
-/// having no idea and believes motion little, so that it settles where the sightings agree with
-/// each other, if they do.
-template <typename Scalar, int N>
-struct Alternative {
-    bool active = false;
-    Ekf<Scalar, N> filter;
-    Agreement agreement;
-    std::uint64_t markers = 0;  ///< a bit for each marker that agreed with it
-
-    Alternative() = default;
-    Alternative(const Alternative& other) noexcept { *this = other; }
-    /// Mostly there is none, and then nothing to copy.
-    Alternative& operator=(const Alternative& other) noexcept {
-        active = other.active;
-        if (!active) return *this;
-        filter = other.filter;
-        agreement = other.agreement;
-        markers = other.markers;
-        return *this;
-    }
+/// Where dead reckoning alone has brought the robot, and how unsure that is by now.
+struct Drift {
+    Pose<double> odometry_from_map = {0, 0, 0};  ///< changes only where the pose is corrected
+    double position_m2 = 0, heading_rad2 = 0;    ///< variances gathered so far, each axis
 };
 
 template <typename Scalar, int N>
 struct Track {
     Ekf<Scalar, N> filter;
-    Alternative<Scalar, N> alternative;
     GyroIntegral gyro;
     TickCounter ticks;
     MotionCheck check;
     Agreement agreement;
+    Judgement judgement;
+    Drift drift;
     std::int64_t utime = 0;
     std::int64_t agreed_utime = 0;      ///< of the last sighting that agreed
+    std::int64_t searched_utime = 0;    ///< when other poses were looked for
+    std::int64_t evidence_since = 0;    ///< nothing older speaks of this pose
     Increment<Scalar> motion;           ///< of the last motion sample that took time
     Vector<Scalar, 2> driven = {0, 0};  ///< (distance [m], turn [rad]) of the last motion sample
     std::int32_t resets = 0;
     bool started = false;   ///< a motion sample has come
-    bool restored = false;  ///< begun from a checkpoint
+    bool located = false;   ///< the pose is an estimate; else the filter only adds up the motion
+    bool confirmed = false;  ///< sightings agree with it, and with no other pose
+    bool restored = false;   ///< begun from a checkpoint
+
+    [[nodiscard]] Pose<double> pose() const noexcept {
+        return filter.state().template head<3>().template cast<double>();
+    }
+    [[nodiscard]] Matrix<double, 3> covariance() const noexcept {
+        return filter.covariance().template topLeftCorner<3, 3>().template cast<double>();
+    }
+
+    /// Where dead reckoning alone has brought the robot.
+    [[nodiscard]] Pose<double> odometry() const noexcept {
+        return Frame(drift.odometry_from_map).out_of(pose());
+    }
+    /// After the pose was corrected: dead reckoning is still there.
+    void keep_odometry(const Pose<double>& odometry) noexcept {
+        drift.odometry_from_map = Frame(odometry).out_of(Frame(pose()).into({0, 0, 0}));
+    }
 };
 
 /// Carries tracks on. Holds what does not change.
@@ -93,9 +70,12 @@ class Tracker {
    public:
     using Track = pilotage::Track<Scalar, N>;
 
-    Tracker(const Params& params, MarkerMap map);
+    explicit Tracker(const Params& params) noexcept;
 
     [[nodiscard]] const Params& params() const noexcept { return params_; }
+
+    /// A track that knows no pose, calibration as configured, before any motion.
+    [[nodiscard]] Track anywhere() const noexcept;
 
     /// A track at a pose with its covariance, calibration as configured, before any motion.
     [[nodiscard]] Track start(const Pose<double>& pose,
@@ -118,23 +98,11 @@ class Tracker {
                                             Verdict& verdict) const noexcept;
 
     /// Moves the estimate.
-    void drive(Track& track, const Increment<Scalar>& u) const noexcept {
-        dead_reckon(track.filter, u, params_);
-        if (track.alternative.active) dead_reckon(track.alternative.filter, u, params_);
-    }
-
-    /// Fuses a sighting.
-    [[nodiscard]] SightingReport sight(Track& track, const Sample& sample) const noexcept;
-
-    /// Takes a pose given from outside.
-    void reset(Track& track, const PoseReset& to) const noexcept;
+    void drive(Track& track, const Increment<Scalar>& u) const noexcept;
 
     /// The track at a later time if the robot goes on as it does; past motion.max_gap_s only how
     /// fast it may be is known.
     [[nodiscard]] Track predicted(Track track, std::int64_t utime) const noexcept;
-
-    /// \param silent_s since the last motion sample
-    [[nodiscard]] Assessment assess(const Track& track, double silent_s) const noexcept;
 
    private:
     [[nodiscard]] Increment<Scalar> by_wheels(Track& track, const EncoderTicks& ticks, double dt_s,
@@ -148,16 +116,12 @@ class Tracker {
     [[nodiscard]] Pose<Scalar> useful(const Ekf<Scalar, N>& filter,
                                       const Pose<double>& doubt) const noexcept;
     void doubt(Ekf<Scalar, N>& filter, const Pose<double>& variances) const noexcept;
-    void consider(Track& track, const Sample& sample) const noexcept;
     [[nodiscard]] RotationTolerance tolerance(const Track& track) const noexcept;
     [[nodiscard]] double gyro_bias(const Track& track) const noexcept;
     void learn_bias(Track& track) const noexcept;
 
     Params params_;
-    MarkerMap map_;
-    Policy policies_[Params::kMaxSensors];
     double tick_rad_;  // rotation by one tick of one wheel
-    int enough_;       // markers that have to agree on an alternative
 };
 
 extern template class Tracker<double, kPoseStates>;

@@ -12,7 +12,7 @@ enum class Verdict : std::uint8_t {
     // Rejected, by reason:
     bad_value,        ///< not finite, nothing measured, or a sigma that is not positive
     implausible,      ///< faster than the robot can be
-    not_initialized,  ///< there is no pose to fuse it with yet
+    not_initialized,  ///< there is no pose to fuse it with yet; it serves to find one
     before_motion,    ///< older than the first motion sample
     late,             ///< older than the history window
     clock,            ///< its stamp contradicts the sender's other stamps
@@ -33,7 +33,8 @@ inline constexpr int kVerdicts = static_cast<int>(Verdict::numeric) + 1;
 
 /// Refused before it got a place in the history; such a sighting is never judged again.
 [[nodiscard]] constexpr bool refused_at_the_door(Verdict v) noexcept {
-    return v >= Verdict::bad_value && v <= Verdict::duplicate && v != Verdict::before_motion;
+    return v >= Verdict::bad_value && v <= Verdict::duplicate && v != Verdict::before_motion &&
+           v != Verdict::not_initialized;
 }
 
 /// Word for reports, statistics and logs.

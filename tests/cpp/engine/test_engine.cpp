@@ -73,7 +73,8 @@ sensors: {camera: {channel: CAMERA}, scanner: {channel: SCANNER}}
 TEST(EngineTest, SaysWhatItWaitsFor) {
     Bench bench("", "motion: {heading: gyro}\nsensors: {camera: {}}\n");
     EXPECT_EQ(bench.engine().waiting_for(),
-              "a start pose (pose_reset_t on POSE_RESET, or initial: in the configuration), "
+              "markers enough to find the pose (or pose_reset_t on POSE_RESET, or initial: in the "
+              "configuration), "
               "encoders_t on ENCODERS, gyro_t on GYRO, marker_frame_t on MARKERS");
     bench.send("GYRO", gyro(0, 0));
     bench.send("POSE_RESET", reset(0, 1, 2, 3));

@@ -104,12 +104,14 @@ TEST(BadMessageTest, WithANonFiniteFieldIsCounted) {
 
 TEST(BadMessageTest, AFrameBeforeAPoseIsKnownIsCountedSightingBySighting) {
     Bench bench("", "sensors: {camera: {}}\n");
+    bench.send("ENCODERS", encoders(0, 0, 0));
     bench.send("MARKERS", frame(1, "camera", {seen(1, 0.1), seen(2, 0.2), seen(3, 0.3)}));
     bench.send("ENCODERS", encoders(2, 0, 0));
     EXPECT_EQ(count_of(bench.input("MARKERS"), "not_initialized"), 3);
     EXPECT_EQ(bench.input("MARKERS").received, 3);
-    EXPECT_EQ(count_of(bench.input("ENCODERS"), "not_initialized"), 1);
+    EXPECT_EQ(bench.input("ENCODERS").fused, 2);
     EXPECT_EQ(bench.reports.size(), 3U);
+    EXPECT_TRUE(bench.poses.empty());
 }
 
 }  // namespace

@@ -142,16 +142,21 @@ TEST_P(RefusalTest, AStampAtTheEndOfTimeIsBad) {
     }
 }
 
-TEST_P(RefusalTest, WithoutAPoseNothingIsFused) {
+TEST_P(RefusalTest, WithoutAPoseNoSightingIsFused) {
     Params params = plain_params();
     params.initial.heading_rad = kNan;
     Robot robot(GetParam(), params, kMap);
     EXPECT_FALSE(robot.has_pose());
-    for (const Sample& sample : drive(5, 10, 10)) EXPECT_FALSE(robot.add(sample));
-    robot.add(gyro_at(kNow, 0.1));
-    robot.add(sighting_at(kNow, 1, {0.1, kNan, kNan}));
-    EXPECT_EQ(robot.tally.count(Verdict::not_initialized), 8);
+    robot.add(drive(3, 10, 10));
+    const Sample seen = sighting_at(kNow, 1, {0.1, kNan, kNan});
+    robot.add(seen);
+    robot.add(encoders_at(4 * kPeriod, 40, 40));
+    EXPECT_EQ(robot.tally.of(seen), Verdict::not_initialized);
+    EXPECT_EQ(robot.tally.reports.at(0).verdict, Verdict::not_initialized);
+    EXPECT_FALSE(robot.has_pose());
+    EXPECT_FALSE(robot.started());
     EXPECT_EQ(robot.estimate().status, Status::waiting);
+    EXPECT_EQ(robot.estimate().reason, Reason::no_pose);
     expect_sums_hold(robot);
 }
 

@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// What corrects a track: sightings of markers, a pose from outside, a pose that a search found.
+
+#include "pilotage/search/pose_search.hpp"
+#include "pilotage/track.hpp"
+
+namespace pilotage {
+
+/// Holds what does not change. The search is lent to it: its workspace is large.
+template <typename Scalar, int N>
+class Fixer {
+   public:
+    using Track = pilotage::Track<Scalar, N>;
+
+    Fixer(const Params& params, MarkerMap map);
+
+    /// Fuses a sighting, if there is a pose.
+    [[nodiscard]] SightingReport sight(Track& track, const Sample& sample) const noexcept;
+
+    /// A sighting just made, as a search wants it.
+    /// \pre `track` is as it was before the sighting was fused
+    [[nodiscard]] Evidence evidence(const Track& track, const Sample& sample,
+                                    const PoseSearch& search) const noexcept;
+
+    /// Whether to look for other poses that explain the sightings.
+    [[nodiscard]] bool doubtful(const Track& track) const noexcept;
+    /// Looks for them, and takes the one that the judge prefers to the estimate.
+    /// \param newest_first sightings since track.evidence_since
+    void search(Track& track, const Evidence* newest_first, int count,
+                PoseSearch& search) const noexcept;
+
+    /// Takes a pose given from outside.
+    void reset(Track& track, const PoseReset& to) const noexcept;
+
+   private:
+    void place(Track& track, const Pose<double>& pose,
+               const Matrix<double, 3>& covariance) const noexcept;
+
+    Params params_;
+    MarkerMap map_;
+    Policy policies_[Params::kMaxSensors];
+};
+
+extern template class Fixer<double, kPoseStates>;
+extern template class Fixer<double, kCalibratedStates>;
+extern template class Fixer<float, kPoseStates>;
+extern template class Fixer<float, kCalibratedStates>;
+
+}  // namespace pilotage

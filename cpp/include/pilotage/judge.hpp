@@ -1,0 +1,122 @@
+#pragma once
+/// \file
+/// The one judge of all ideas of the pose: the estimate's own, whoever it is from, and those that a
+/// search has found.
+
+#include <cmath>
+#include <cstdint>
+
+#include "pilotage/filter/ldlt.hpp"
+#include "pilotage/search/frame.hpp"
+#include "pilotage/search/pose_search.hpp"
+#include "pilotage/state.hpp"
+
+namespace pilotage {
+
+/// What the sightings of late say about the estimate.
+enum class Finding : std::uint8_t {
+    fine,       ///< it explains them better than any other pose
+    ambiguous,  ///< several poses explain them alike
+    elsewhere,  ///< one other pose explains them better
+};
+
+/// What the judge thinks, and what it waits for.
+struct Judgement {
+    Finding finding = Finding::fine;
+    double margin = 0;  ///< nats between the best explanation and the next
+    int held = 0;       ///< frames that the best pose has held for
+    std::int64_t utime = 0;             ///< of the last of them
+    Pose<double> leader = {0, 0, 0};    ///< that pose then, frame map
+    Pose<double> odometry = {0, 0, 0};  ///< of the robot then
+};
+
+/// The estimate as one idea among others.
+struct Claim {
+    bool made = false;       ///< there is an estimate
+    bool confirmed = false;  ///< by sightings; else it has to prove itself
+    Pose<double> pose = {0, 0, 0};
+    Matrix<double, 3> covariance = Matrix<double, 3>::Zero();
+    double log_evidence = 0;  ///< of all sightings, under the estimate
+};
+
+namespace judging {
+
+/// An explanation is better than another only by so many nats: one in a thousand is wrong then.
+inline constexpr double kDecisive = 7;
+/// So much better is another than a confirmed estimate where doubt begins.
+inline constexpr double kSuspicious = 3;
+/// A pose found has to hold for so many frames, each from another place, or long after the one
+/// before: what misleads a robot that stands does so again and again.
+inline constexpr int kFrames = 3;
+inline constexpr double kOtherPlace_m = 0.02, kOtherPlace_rad = 0.02;
+inline constexpr std::int64_t kOtherTime_us = 1'000'000;
+
+/// The same place for all practical purposes, or as far as both are known.
+[[nodiscard]] inline bool same(const Pose<double>& a, const Pose<double>& b,
+                               const Matrix<double, 3>& covariance) noexcept {
+    constexpr double near_m = 0.1, near_rad = 0.035, limit = 16;
+    const Pose<double> off = minus<double, 3>(a, b);
+    return (std::hypot(off[kX], off[kY]) < near_m && std::abs(off[kHeading]) < near_rad) ||
+           Ldlt<double, 3>(covariance).squared_norm(off) < limit;
+}
+
+}  // namespace judging
+
+/// Weighs what a search found against the estimate.
+/// \param odometry pose of the robot by dead reckoning alone
+/// \return the hypothesis that wins, or nullptr as long as none does
+[[nodiscard]] inline const Hypothesis* judge(Judgement& j, const Claim& claim,
+                                             const Hypotheses& found,
+                                             const Pose<double>& odometry,
+                                             std::int64_t utime) noexcept {
+    using namespace judging;
+    // By how much each explains the sightings better than the estimate does, or than chance. An
+    // estimate that was confirmed is held against the latest alone: before them the robot may not
+    // have been carried off yet.
+    const auto strength = [&](const Hypothesis& h) {
+        return claim.made && !claim.confirmed ? h.log_evidence - claim.log_evidence : h.gain;
+    };
+    const Hypothesis* best = nullptr;
+    double first = -INFINITY, second = -INFINITY;
+    for (const Hypothesis& h : found) {
+        if (claim.made && same(h.pose, claim.pose, h.covariance + claim.covariance)) continue;
+        const double s = strength(h);
+        if (s > first) {
+            second = first;
+            first = s;
+            best = &h;
+        } else if (s > second) {
+            second = s;
+        }
+    }
+    const double margin = first - std::fmax(second, 0.0);  // the estimate itself stands at 0
+    const int held = j.held;
+    j.held = 0;
+    j.margin = margin;
+    if (best == nullptr || first < (claim.confirmed ? kSuspicious : claim.made ? -kDecisive : 0)) {
+        j.finding = Finding::fine;
+        return nullptr;
+    }
+    if (margin < kDecisive) {
+        j.finding = !claim.made && first < kDecisive ? Finding::fine : Finding::ambiguous;
+        return nullptr;
+    }
+    j.finding = Finding::elsewhere;
+    // Where dead reckoning has brought the leader of the last frame.
+    const Frame then(j.odometry);
+    const Pose<double> way = then.into(odometry);
+    const bool leads = held > 0 && same(best->pose, Frame(j.leader).out_of(way),
+                                        2 * best->covariance);
+    const bool another = std::hypot(way[kX], way[kY]) > kOtherPlace_m ||
+                         std::abs(way[kHeading]) > kOtherPlace_rad ||
+                         utime - j.utime >= kOtherTime_us;
+    j.held = !leads ? 1 : held + (another ? 1 : 0);
+    if (!leads || another) {
+        j.leader = best->pose;
+        j.odometry = odometry;
+        j.utime = utime;
+    }
+    return j.held >= kFrames ? best : nullptr;
+}
+
+}  // namespace pilotage

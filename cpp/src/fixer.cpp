@@ -1,0 +1,116 @@
+#include "pilotage/fixer.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "pilotage/examine.hpp"
+
+namespace pilotage {
+
+namespace {
+
+constexpr double kSearchPeriod_s = 0.09;
+// A restored pose is from before the robot was switched off; so many nats speak against it.
+constexpr double kRestored = 3;
+
+}  // namespace
+
+template <typename Scalar, int N>
+Fixer<Scalar, N>::Fixer(const Params& params, MarkerMap map)
+    : params_(params), map_(std::move(map)) {
+    for (int i = 0; i < params.sensor_count; ++i) {
+        const MarkerSensorParams& sensor = params.sensors[i];
+        policies_[i] = Policy::make(sensor.fusion, sensor.gate_false_reject, sensor.student_t_dof);
+    }
+}
+
+template <typename Scalar, int N>
+SightingReport Fixer<Scalar, N>::sight(Track& track, const Sample& sample) const noexcept {
+    if (!track.located) return blank_report(sample, Verdict::not_initialized);
+    const Policy& policy = policies_[sample.source];
+    const Pose<double> odometry = track.odometry();
+    const SightingReport report =
+        fuse_sighting(track.filter, sample, map_, params_.sensors[sample.source], policy);
+    if (report.verdict == Verdict::fused || report.verdict == Verdict::gate) {
+        track.keep_odometry(odometry);
+        track.agreement.add(report.nis, report.dof, policy.gate_nis[report.dof - 1]);
+        if (track.agreement.last_agreed()) track.agreed_utime = sample.utime;
+    }
+    return report;
+}
+
+template <typename Scalar, int N>
+Evidence Fixer<Scalar, N>::evidence(const Track& track, const Sample& sample,
+                                    const PoseSearch& search) const noexcept {
+    const Sighting& sighting = sample.payload.sighting;
+    const double log_likelihood =
+        track.located ? search.log_likelihood(track.pose(), track.covariance(), sighting,
+                                              sample.source)
+                      : NAN;
+    return {track.odometry(), track.drift.position_m2, track.drift.heading_rad2,
+            sighting,         sample.source,           log_likelihood};
+}
+
+template <typename Scalar, int N>
+bool Fixer<Scalar, N>::doubtful(const Track& track) const noexcept {
+    if (!track.confirmed && track.agreement.confirms()) return true;
+    const bool sure = track.confirmed && !track.agreement.suspicious() &&
+                      !track.agreement.disagrees() && track.judgement.finding == Finding::fine;
+    return !sure &&
+           seconds_between<double>(track.searched_utime, track.utime) >= kSearchPeriod_s;
+}
+
+template <typename Scalar, int N>
+void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int count,
+                              PoseSearch& search) const noexcept {
+    track.searched_utime = track.utime;
+    Claim claim{track.located, track.confirmed, track.pose(), track.covariance(),
+                track.restored ? -kRestored : 0};
+    for (int i = 0; i < count; ++i) claim.log_evidence += newest_first[i].log_likelihood;
+    const Hypotheses found = search.run(newest_first, count);
+    const Hypothesis* winner = judge(track.judgement, claim, found, track.odometry(),
+                                    track.utime);
+    if (winner != nullptr) {
+        if (track.located) ++track.resets;
+        place(track, winner->pose, winner->covariance);
+        track.confirmed = true;
+        track.agreed_utime = track.utime;
+    } else if (track.located && track.judgement.finding == Finding::fine &&
+               track.agreement.confirms()) {
+        track.confirmed = true;
+    }
+}
+
+template <typename Scalar, int N>
+void Fixer<Scalar, N>::reset(Track& track, const PoseReset& to) const noexcept {
+    if (track.located) ++track.resets;
+    place(track, Pose<double>(to.pose), covariance_of(to));
+}
+
+/// What is known of the calibration stays, what was known of the pose does not.
+template <typename Scalar, int N>
+void Fixer<Scalar, N>::place(Track& track, const Pose<double>& pose,
+                             const Matrix<double, 3>& covariance) const noexcept {
+    const Pose<double> odometry = track.odometry();
+    Vector<Scalar, N> x = track.filter.state();
+    Matrix<Scalar, N> p = track.filter.covariance();
+    x.template head<3>() = pose.template cast<Scalar>();
+    x[kHeading] = wrap(x[kHeading]);
+    p.template topRows<3>().setZero();
+    p.template leftCols<3>().setZero();
+    p.template topLeftCorner<3, 3>() = covariance.template cast<Scalar>();
+    track.filter = Ekf<Scalar, N>(x, p);
+    track.keep_odometry(odometry);
+    track.located = true;
+    track.confirmed = track.restored = false;
+    track.agreement = {};
+    track.judgement = {};
+    track.evidence_since = track.utime;
+}
+
+template class Fixer<double, kPoseStates>;
+template class Fixer<double, kCalibratedStates>;
+template class Fixer<float, kPoseStates>;
+template class Fixer<float, kCalibratedStates>;
+
+}  // namespace pilotage
