@@ -84,6 +84,24 @@ class Ldlt {
         return total;
     }
 
+    /// Of A.
+    [[nodiscard]] Scalar determinant() const noexcept {
+        Scalar product = 1;
+        each<M>([&](int i) { product *= inverse_[i] == 0 ? Scalar(0) : 1 / inverse_[i]; });
+        return product;
+    }
+
+    /// A^-1
+    [[nodiscard]] Matrix<Scalar, M> inverse() const noexcept {
+        Matrix<Scalar, M> result;
+        each<M>([&](int j) {
+            const auto unit = entries<Vector<Scalar, M>>(
+                [&](int i, int) { return i == j ? Scalar(1) : Scalar(0); });
+            result.col(j) = solve(unit);
+        });
+        return result;
+    }
+
    private:
     Matrix<Scalar, M> lower_;  // strictly below the diagonal, the rest is unused
     Vector<Scalar, M> inverse_;

@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// The best poses proposed so far, one of each neighbourhood.
+
+#include <algorithm>
+#include <limits>
+
+#include "pilotage/state.hpp"
+
+namespace pilotage {
+
+/// A pose that a few sightings gave, and what the others say of it.
+struct Candidate {
+    Pose<double> pose;
+    double score;
+    int explained;  ///< so many of the newest sightings gave the score
+};
+
+/// Keeps the best `Capacity`, best first.
+template <int Capacity>
+class Candidates {
+   public:
+    void clear() noexcept { count_ = 0; }
+    [[nodiscard]] int count() const noexcept { return count_; }
+    [[nodiscard]] const Candidate& operator[](int i) const noexcept { return list_[i]; }
+
+    /// A score that is not above this is of no use.
+    [[nodiscard]] double threshold() const noexcept {
+        return count_ < Capacity ? -std::numeric_limits<double>::infinity()
+                                 : list_[Capacity - 1].score;
+    }
+
+    void add(const Candidate& candidate) noexcept {
+        int hole = 0;
+        for (; hole < count_; ++hole)
+            if (neighbours(list_[hole].pose, candidate.pose)) break;
+        if (hole < count_) {
+            if (list_[hole].score >= candidate.score) return;
+        } else if (count_ < Capacity) {
+            ++count_;
+        } else if (candidate.score <= list_[--hole].score) {
+            return;
+        }
+        for (; hole > 0 && list_[hole - 1].score < candidate.score; --hole)
+            list_[hole] = list_[hole - 1];
+        list_[hole] = candidate;
+    }
+
+   private:
+    /// So near that they lead to the same pose.
+    [[nodiscard]] static bool neighbours(const Pose<double>& a, const Pose<double>& b) noexcept {
+        constexpr double position_m = 0.2, heading_rad = 0.1;
+        const Pose<double> apart = minus(a, b);
+        return std::abs(apart[kX]) < position_m && std::abs(apart[kY]) < position_m &&
+               std::abs(apart[kHeading]) < heading_rad;
+    }
+
+    Candidate list_[Capacity];
+    int count_ = 0;
+};
+
+}  // namespace pilotage

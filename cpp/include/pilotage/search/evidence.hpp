@@ -1,0 +1,88 @@
+#pragma once
+/// \file
+/// A sighting as the search for a pose gets it, and as it sees it: from the robot as it stands now.
+
+#include <cmath>
+#include <cstdint>
+
+#include "pilotage/fuse_sighting.hpp"
+#include "pilotage/marker_map.hpp"
+#include "pilotage/params.hpp"
+#include "pilotage/samples.hpp"
+#include "pilotage/search/frame.hpp"
+#include "pilotage/search/site.hpp"
+
+namespace pilotage {
+
+/// A sighting, and where dead reckoning says that it was made.
+struct Evidence {
+    Pose<double> body;  ///< of the robot at the sighting, in an odometry frame
+    /// Variances that odometry has gathered since its frame began [m^2, each axis] and [rad^2]:
+    /// what they grew by since a sighting tells how unsure the way from there to here is.
+    double drift_m2, drift_rad2;
+    Sighting sighting;      ///< id -1: unknown
+    std::uint8_t source;    ///< sensor number
+    double log_likelihood;  ///< under the estimate that is judged; NaN or -inf: there is none
+};
+
+/// How often a sighting is of something else than it says, or of nothing.
+inline constexpr double kClutter = 0.1;
+
+/// A sighting as seen from the robot now.
+struct View {
+    const Sighting* sighting = nullptr;
+    const MarkerSensorParams* sensor = nullptr;
+    const Marker* marker = nullptr;  ///< the only one that it can be of; nullptr: several can be
+    int measured = 0;                ///< bit ComponentIndex
+    double variance[3] = {};         ///< of the sensor's noise alone
+    Pose<double> place{0, 0, 0};     ///< of the sensor at the sighting, in the robot's frame of now
+    double place_m2 = 0, place_rad2 = 0;  ///< variances of that by odometry, each axis and heading
+    Point along{0, 0};   ///< unit vector from the sensor to the marker, in the robot's frame of now
+    double share = 0;    ///< probability that it is of one marker that it can be of
+    double clutter = 0;  ///< density of the measured values where it is of none, times kClutter
+    double log_likelihood = 0;  ///< under the estimate that is judged, never below log(clutter)
+
+    [[nodiscard]] bool has(ComponentIndex c) const noexcept { return measured >> c & 1; }
+
+    /// Whether the sighting can be of that marker: the id or, where it has none, any.
+    /// (A label that markers share is to be compared here.)
+    [[nodiscard]] bool may_be_of(const Marker& candidate) const noexcept {
+        return marker == nullptr || marker == &candidate;
+    }
+};
+
+/// \param relative pose of the robot at the sighting in the robot's frame of now
+/// \return a view that measures nothing if the sighting says nothing about the pose
+[[nodiscard]] inline View view_of(const Sighting& sighting, const MarkerSensorParams& sensor,
+                                  const MarkerMap& map, const Site& site,
+                                  const Pose<double>& relative = {0, 0, 0}, double drift_m2 = 0,
+                                  double drift_rad2 = 0) noexcept {
+    View view;
+    view.sighting = &sighting;
+    view.sensor = &sensor;
+    view.marker = sighting.id < 0 ? nullptr : map.find(sighting.id);
+    int candidates = 0;
+    for (const Marker& marker : map.markers()) candidates += view.may_be_of(marker);
+    if (candidates == 0 || (sighting.id >= 0 && view.marker == nullptr)) return view;
+    view.measured = measured_components(sighting);
+    view.place = Frame(relative).out_of({sensor.x_m, sensor.y_m, sensor.yaw_rad});
+    view.place_m2 = drift_m2;
+    view.place_rad2 = drift_rad2;
+    const double width[] = {2 * kPi<double>, kPi<double>, site.reach_m};
+    view.clutter = kClutter;
+    each<3>([&](int c) {
+        const auto component = static_cast<ComponentIndex>(c);
+        if (!view.has(component)) return;
+        view.variance[c] = sensor_variance(sighting, component, sensor, sighting.value[c]);
+        view.clutter /= width[c];
+    });
+    view.share = (1 - kClutter) / candidates;
+    view.log_likelihood = std::log(view.clutter);
+    if (view.has(kBearing)) {
+        const double direction = view.place[kHeading] + sighting.value[kBearing];
+        view.along = {std::cos(direction), std::sin(direction)};
+    }
+    return view;
+}
+
+}  // namespace pilotage

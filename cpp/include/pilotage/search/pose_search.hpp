@@ -1,0 +1,83 @@
+#pragma once
+/// \file
+/// Every pose that explains the sightings of late, with no prior at all.
+
+#include "pilotage/search/candidates.hpp"
+#include "pilotage/search/clue.hpp"
+#include "pilotage/search/hypothesis.hpp"
+#include "pilotage/search/likelihood.hpp"
+
+namespace pilotage {
+
+/// What a search found, best gain first.
+struct Hypotheses {
+    const Hypothesis* first = nullptr;
+    int count = 0;
+
+    [[nodiscard]] const Hypothesis* begin() const noexcept { return first; }
+    [[nodiscard]] const Hypothesis* end() const noexcept { return first + count; }
+    [[nodiscard]] const Hypothesis& operator[](int i) const noexcept { return first[i]; }
+};
+
+/// Two or three sightings at a time give candidates, all sightings score them, the best are
+/// refined. A run depends on its arguments alone, and its work is bounded.
+class PoseSearch {
+   public:
+    static constexpr int kMostEvidence = 32;
+    static constexpr int kMostHypotheses = 8;
+
+    PoseSearch(const Params& params, MarkerMap map);
+
+    /// \param newest_first sightings, the first at the robot's pose of now
+    /// \param guesses poses of now that somebody has in mind, as hypotheses of the last run carried
+    /// on by odometry: they are judged with the others
+    /// \return valid until the next run
+    [[nodiscard]] Hypotheses run(const Evidence* newest_first, int count,
+                                 const Pose<double>* guesses = nullptr,
+                                 int guess_count = 0) noexcept;
+
+    /// Of one sighting under a pose with a covariance, in the measure of the evidence.
+    [[nodiscard]] double log_likelihood(const Pose<double>& pose,
+                                        const Matrix<double, 3>& covariance,
+                                        const Sighting& sighting,
+                                        std::uint8_t source) const noexcept;
+
+   private:
+    static constexpr int kSeeds = 10;       // sightings that give candidates
+    static constexpr int kCandidates = 64;  // that are kept
+    static constexpr int kRefined = 16;     // at most
+
+    void take(const Evidence* newest_first, int count) noexcept;
+    void choose_seeds() noexcept;
+    void propose_by_points() noexcept;
+    void propose_by_bearings() noexcept;
+    void propose_by_arcs() noexcept;
+    void propose_arc(const Clue& one, const Clue& two) noexcept;
+    void consider(const Frame& robot) noexcept;
+    void consider(const Point& place, const Point& turn) noexcept;
+    void refine_best() noexcept;
+    [[nodiscard]] Hypothesis judge(const Candidate& candidate) const noexcept;
+    void keep(const Hypothesis& hypothesis) noexcept;
+
+    /// visit(clue) for every marker that the sighting can be of
+    template <typename Visit>
+    void each_clue(const View& view, const Visit& visit) const noexcept {
+        if (view.marker != nullptr) return visit(clue_of(view, *view.marker));
+        for (const Marker& marker : map_.markers())
+            if (view.may_be_of(marker)) visit(clue_of(view, marker));
+    }
+
+    Params params_;
+    MarkerMap map_;
+    Site site_;
+    View views_[kMostEvidence];  // newest first
+    int count_ = 0;
+    double most_[kMostEvidence + 1] = {};  // that views from here on can add to a score
+    int seeds_[kSeeds] = {};
+    int seed_count_ = 0;
+    Candidates<kCandidates> candidates_;
+    Hypothesis hypotheses_[kMostHypotheses];
+    int found_ = 0;
+};
+
+}  // namespace pilotage

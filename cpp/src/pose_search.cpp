@@ -1,0 +1,259 @@
+#include "pilotage/search/pose_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "pilotage/search/heading_equation.hpp"
+#include "pilotage/search/meet.hpp"
+#include "pilotage/search/refinement.hpp"
+#include "pilotage/search/rigid_fit.hpp"
+
+namespace pilotage {
+
+namespace {
+
+/// A candidate carries the noise of two or three sightings, so it is scored with wider variances.
+constexpr double kWiden = 9;
+
+/// The most that a sighting can say for a pose.
+double peak(const View& view) {
+    double spread = 1;
+    each<3>([&](int c) {
+        if (view.has(static_cast<ComponentIndex>(c)))
+            spread *= 2 * kPi<double> * kWiden * view.variance[c];
+    });
+    return std::log(view.clutter + view.share / std::sqrt(spread));
+}
+
+}  // namespace
+
+PoseSearch::PoseSearch(const Params& params, MarkerMap map)
+    : params_(params), map_(std::move(map)), site_(map_) {}
+
+double PoseSearch::log_likelihood(const Pose<double>& pose, const Matrix<double, 3>& covariance,
+                                  const Sighting& sighting, std::uint8_t source) const noexcept {
+    const View view =
+        view_of(sighting, params_.sensors[source], map_, site_, {0, 0, 0},
+                (covariance(kX, kX) + covariance(kY, kY)) / 2, covariance(kHeading, kHeading));
+    return view.measured == 0 ? 0 : explain(view, Frame(pose), map_).log_likelihood;
+}
+
+void PoseSearch::take(const Evidence* newest_first, int count) noexcept {
+    count_ = 0;
+    for (int i = 0; i < std::min(count, kMostEvidence); ++i) {
+        const Evidence& e = newest_first[i];
+        View& view = views_[count_];
+        view = view_of(e.sighting, params_.sensors[e.source], map_, site_,
+                       Frame(newest_first->body).into(e.body),
+                       std::abs(newest_first->drift_m2 - e.drift_m2),
+                       std::abs(newest_first->drift_rad2 - e.drift_rad2));
+        if (view.measured == 0) continue;
+        view.log_likelihood = std::fmax(view.log_likelihood, e.log_likelihood);
+        ++count_;
+    }
+    most_[count_] = 0;
+    for (int i = count_ - 1; i >= 0; --i)
+        most_[i] = most_[i + 1] + std::max(0.0, peak(views_[i]) - views_[i].log_likelihood);
+}
+
+/// The newest, but of each marker few.
+void PoseSearch::choose_seeds() noexcept {
+    constexpr int kOfOneMarker = 3;
+    seed_count_ = 0;
+    for (int i = 0; i < count_ && seed_count_ < kSeeds; ++i) {
+        const Marker* marker = views_[i].marker;
+        const auto same_marker = [&](int seed) { return views_[seed].marker == marker; };
+        if (marker != nullptr &&
+            std::count_if(seeds_, seeds_ + seed_count_, same_marker) >= kOfOneMarker)
+            continue;
+        seeds_[seed_count_++] = i;
+    }
+}
+
+void PoseSearch::consider(const Point& place, const Point& turn) noexcept {
+    if (site_.holds(place[0], place[1])) consider(Frame(place, turn));
+}
+
+/// Scores a candidate, for as long as it may be better than those that there are.
+void PoseSearch::consider(const Frame& robot) noexcept {
+    const double threshold = std::max(0.0, candidates_.threshold());
+    double sum = 0, best = 0;
+    int explained = 0;
+    for (int i = 0; i < count_; ++i) {
+        sum += explain(views_[i], robot, map_, kWiden).log_likelihood - views_[i].log_likelihood;
+        if (sum >= best) {
+            best = sum;
+            explained = i + 1;
+        }
+        if (std::max(best, sum + most_[i + 1]) <= threshold) return;
+    }
+    candidates_.add({robot.pose(), best, explained});
+}
+
+/// Two points, or a point and something else of another marker.
+void PoseSearch::propose_by_points() noexcept {
+    const auto pair = [&](const Clue& one, const Clue& two) {
+        if (one.marker == two.marker || !(one.is_point() || two.is_point())) return;
+        if (one.is_point() && two.is_point()) {
+            if (!same_distance(one, two)) return;
+            const Point turn = turn_by(one, two);
+            return consider(place_by(one, two, turn), turn);
+        }
+        const Clue& point = one.is_point() ? one : two;
+        const Headings headings = point_and(point, one.is_point() ? two : one).solve();
+        for (int i = 0; i < headings.count; ++i)
+            consider(place_by_point(point, headings.direction[i]), headings.direction[i]);
+    };
+    for (int i = 0; i < seed_count_; ++i)
+        for (int j = i + 1; j < seed_count_; ++j)
+            each_clue(views_[seeds_[i]], [&](const Clue& one) {
+                each_clue(views_[seeds_[j]], [&](const Clue& two) { pair(one, two); });
+            });
+}
+
+void PoseSearch::propose_by_bearings() noexcept {
+    constexpr double kLeastSpread = 0.1;
+    const auto triple = [&](const View& first, const View& second, const View& third) {
+        const ThreeBearings three(first, second, third);
+        if (three.spread() < kLeastSpread) return;
+        each_clue(first, [&](const Clue& one) {
+            each_clue(second, [&](const Clue& two) {
+                if (two.marker == one.marker) return;
+                each_clue(third, [&](const Clue& other) {
+                    if (other.marker == one.marker || other.marker == two.marker) return;
+                    const Headings headings =
+                        three.of(one.marker, two.marker, other.marker).solve();
+                    for (int i = 0; i < headings.count; ++i) {
+                        const Point& turn = headings.direction[i];
+                        const Places places = meet(one, two, turn);
+                        if (places.count > 0) consider(places.place[0], turn);
+                    }
+                });
+            });
+        });
+    };
+    for (int i = 0; i < seed_count_; ++i)
+        for (int j = i + 1; j < seed_count_; ++j)
+            for (int k = j + 1; k < seed_count_; ++k) {
+                const View* views[] = {&views_[seeds_[i]], &views_[seeds_[j]], &views_[seeds_[k]]};
+                bool bearings_alone = true;
+                for (const View* view : views)
+                    bearings_alone = bearings_alone && view->has(kBearing) && !view->has(kRange);
+                if (bearings_alone) triple(*views[0], *views[1], *views[2]);
+            }
+}
+
+/// Where two sightings leave a curve of poses: for headings all round.
+void PoseSearch::propose_by_arcs() noexcept {
+    constexpr int kArcs = 3;
+    int arcs = 0;
+    for (int i = 0; i + 1 < seed_count_ && arcs < kArcs; ++i) {
+        const View& one = views_[seeds_[i]];
+        for (int j = i + 1; j < seed_count_; ++j) {
+            const View& two = views_[seeds_[j]];
+            if (one.marker == nullptr || two.marker == nullptr || one.marker == two.marker)
+                continue;
+            propose_arc(clue_of(one, *one.marker), clue_of(two, *two.marker));
+            ++arcs;
+            i = j;  // the next arc is by other sightings
+            break;
+        }
+    }
+}
+
+void PoseSearch::propose_arc(const Clue& one, const Clue& two) noexcept {
+    if (one.is_point() && two.is_point()) return;
+    const bool rays = one.has_direction && two.has_direction;
+    const int steps = rays ? 48 : 24;
+    for (int i = 0; i < steps; ++i) {
+        const double heading = 2 * kPi<double> * i / steps;
+        const Point turn(std::cos(heading), std::sin(heading));
+        const Places places = meet(one, two, turn);
+        for (int k = 0; k < places.count; ++k) consider(places.place[k], turn);
+    }
+}
+
+/// The candidate at its best, with its evidence.
+Hypothesis PoseSearch::judge(const Candidate& candidate) const noexcept {
+    const Fit fit = refine(candidate.pose, views_, candidate.explained, map_, site_);
+    Hypothesis result;
+    result.pose = fit.pose;
+    const Ldlt<double, 3> information(fit.information);
+    result.covariance = information.inverse();
+    const double occam = (3 * std::log(2 * kPi<double>) - std::log(information.determinant())) / 2 -
+                         site_.log_volume();
+    const Frame robot(fit.pose);
+    double sum = 0;
+    int sightings = 0;
+    std::uint64_t markers = 0;
+    result.log_evidence = result.gain = occam;
+    for (int i = 0; i < count_; ++i) {
+        const Explanation e = explain(views_[i], robot, map_);
+        result.log_evidence += e.log_likelihood;
+        sum += e.log_likelihood - views_[i].log_likelihood;
+        if (e.belief > 0.5) {
+            ++sightings;
+            markers |= std::uint64_t{1} << (e.marker - map_.markers().data()) % 64;
+        }
+        if (sum + occam < result.gain) continue;
+        result.gain = sum + occam;
+        result.explained = i + 1;
+        result.sightings = sightings;
+        result.markers = markers;
+    }
+    return result;
+}
+
+/// Two that are the same become the better one.
+void PoseSearch::keep(const Hypothesis& hypothesis) noexcept {
+    constexpr double kSameSquared = 9;
+    int at = 0;
+    for (; at < found_; ++at)
+        if (same(hypotheses_[at], hypothesis.pose, kSameSquared) ||
+            same(hypothesis, hypotheses_[at].pose, kSameSquared))
+            break;
+    if (at < found_) {
+        if (hypotheses_[at].gain >= hypothesis.gain) return;
+    } else if (found_ < kMostHypotheses) {
+        ++found_;
+    } else if (hypotheses_[--at].gain >= hypothesis.gain) {
+        return;
+    }
+    for (; at > 0 && hypotheses_[at - 1].gain < hypothesis.gain; --at)
+        hypotheses_[at] = hypotheses_[at - 1];
+    hypotheses_[at] = hypothesis;
+}
+
+void PoseSearch::refine_best() noexcept {
+    constexpr double kLeadsThereSquared = 100;
+    constexpr double kHopeless = 40;
+    int refined = 0;
+    for (int i = 0; i < candidates_.count() && refined < kRefined; ++i) {
+        const Candidate& candidate = candidates_[i];
+        if (candidate.score < candidates_[0].score - kHopeless) break;
+        const auto leads_there = [&](const Hypothesis& h) {
+            return same(h, candidate.pose, kLeadsThereSquared) &&
+                   minus(candidate.pose, h.pose).squaredNorm() < 1;
+        };
+        if (std::any_of(hypotheses_, hypotheses_ + found_, leads_there)) continue;
+        keep(judge(candidate));
+        ++refined;
+    }
+}
+
+Hypotheses PoseSearch::run(const Evidence* newest_first, int count, const Pose<double>* guesses,
+                           int guess_count) noexcept {
+    take(newest_first, count);
+    choose_seeds();
+    candidates_.clear();
+    found_ = 0;
+    for (int i = 0; i < guess_count; ++i) consider(Frame(guesses[i]));
+    propose_by_points();
+    propose_by_bearings();
+    propose_by_arcs();
+    refine_best();
+    return {hypotheses_, found_};
+}
+
+}  // namespace pilotage
