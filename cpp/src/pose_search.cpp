@@ -77,7 +77,7 @@ void PoseSearch::consider(const Point& place, const Point& turn) noexcept {
 
 /// Scores a candidate, for as long as it may be better than those that there are.
 void PoseSearch::consider(const Frame& robot) noexcept {
-    const double threshold = std::max(0.0, candidates_.threshold());
+    const double threshold = candidates_.threshold();
     double sum = 0, best = 0;
     int explained = 0;
     for (int i = 0; i < count_; ++i) {
@@ -117,10 +117,10 @@ void PoseSearch::propose_by_bearings() noexcept {
     const auto triple = [&](const View& first, const View& second, const View& third) {
         const ThreeBearings three(first, second, third);
         if (three.spread() < kLeastSpread) return;
-        each_clue(first, [&](const Clue& one) {
-            each_clue(second, [&](const Clue& two) {
+        each_ray(first, [&](const Clue& one) {
+            each_ray(second, [&](const Clue& two) {
                 if (two.marker == one.marker) return;
-                each_clue(third, [&](const Clue& other) {
+                each_ray(third, [&](const Clue& other) {
                     if (other.marker == one.marker || other.marker == two.marker) return;
                     const Headings headings =
                         three.of(one.marker, two.marker, other.marker).solve();
@@ -174,9 +174,8 @@ void PoseSearch::propose_arc(const Clue& one, const Clue& two) noexcept {
     }
 }
 
-/// The candidate at its best, with its evidence.
-Hypothesis PoseSearch::judge(const Candidate& candidate) const noexcept {
-    const Fit fit = refine(candidate.pose, views_, candidate.explained, map_, site_);
+/// A pose that was fitted, with its evidence.
+Hypothesis PoseSearch::judge(const Fit& fit) const noexcept {
     Hypothesis result;
     result.pose = fit.pose;
     const Ldlt<double, 3> information(fit.information);
@@ -225,19 +224,31 @@ void PoseSearch::keep(const Hypothesis& hypothesis) noexcept {
     hypotheses_[at] = hypothesis;
 }
 
+/// Climbs from the best candidates, first with variances so wide that no sighting is clutter before
+/// the pose has settled. Those that lead to where another one led are given up on the way.
 void PoseSearch::refine_best() noexcept {
-    constexpr double kLeadsThereSquared = 100;
-    constexpr double kHopeless = 40;
+    constexpr double kLevels[] = {16, 4, 1};
+    constexpr double kNearSquared = 100;
     int refined = 0;
     for (int i = 0; i < candidates_.count() && refined < kRefined; ++i) {
         const Candidate& candidate = candidates_[i];
-        if (candidate.score < candidates_[0].score - kHopeless) break;
-        const auto leads_there = [&](const Hypothesis& h) {
-            return same(h, candidate.pose, kLeadsThereSquared) &&
-                   minus(candidate.pose, h.pose).squaredNorm() < 1;
+        if (candidate.score < candidates_.threshold()) break;
+        Fit fit;
+        fit.pose = candidate.pose;
+        const auto known = [&] {
+            return std::any_of(hypotheses_, hypotheses_ + found_, [&](const Hypothesis& h) {
+                return same(h, fit.pose, kNearSquared) &&
+                       minus(fit.pose, h.pose).squaredNorm() < 1;
+            });
         };
-        if (std::any_of(hypotheses_, hypotheses_ + found_, leads_there)) continue;
-        keep(judge(candidate));
+        bool given_up = known();
+        for (const double widen : kLevels) {
+            if (given_up) break;
+            fit = climb(fit.pose, views_, candidate.explained, map_, site_, widen);
+            given_up = known();
+        }
+        if (given_up) continue;
+        keep(judge(fit));
         ++refined;
     }
 }

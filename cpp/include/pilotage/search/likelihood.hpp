@@ -26,8 +26,7 @@ struct Match {
 
     /// Of the measured values.
     [[nodiscard]] double density() const noexcept {
-        constexpr double nothing = 80;  // exp(-40)
-        return nis < nothing ? std::exp(-nis / 2) / std::sqrt(spread) : 0;
+        return std::exp(-nis / 2) / std::sqrt(spread);
     }
 };
 
@@ -122,14 +121,17 @@ struct Explanation {
             result.match = match;
         }
     };
+    const Point along = turned({robot.c, robot.s}, view.along);
+    const auto try_one = [&](const Marker& marker) {
+        if (near(marker, view, sensor, along, widen)) hold(marker);
+    };
     if (view.marker != nullptr) {
-        hold(*view.marker);
+        try_one(*view.marker);
     } else {
-        const Point along = turned({robot.c, robot.s}, view.along);
         for (const Marker& marker : map.markers())
-            if (view.may_be_of(marker) && near(marker, view, sensor, along, widen)) hold(marker);
+            if (view.may_be_of(marker)) try_one(marker);
     }
-    result.log_likelihood = std::log(likelihood);
+    result.log_likelihood = best > 0 ? std::log(likelihood) : view.log_clutter;
     result.belief = best / likelihood;
     return result;
 }

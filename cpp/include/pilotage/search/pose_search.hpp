@@ -6,6 +6,7 @@
 #include "pilotage/search/clue.hpp"
 #include "pilotage/search/hypothesis.hpp"
 #include "pilotage/search/likelihood.hpp"
+#include "pilotage/search/refinement.hpp"
 
 namespace pilotage {
 
@@ -56,15 +57,23 @@ class PoseSearch {
     void consider(const Frame& robot) noexcept;
     void consider(const Point& place, const Point& turn) noexcept;
     void refine_best() noexcept;
-    [[nodiscard]] Hypothesis judge(const Candidate& candidate) const noexcept;
+    [[nodiscard]] Hypothesis judge(const Fit& fit) const noexcept;
     void keep(const Hypothesis& hypothesis) noexcept;
 
-    /// visit(clue) for every marker that the sighting can be of
+    /// visit(marker) for every marker that the sighting can be of
+    template <typename Visit>
+    void each_marker(const View& view, const Visit& visit) const noexcept {
+        if (view.marker != nullptr) return visit(*view.marker);
+        for (const Marker& marker : map_.markers())
+            if (view.may_be_of(marker)) visit(marker);
+    }
     template <typename Visit>
     void each_clue(const View& view, const Visit& visit) const noexcept {
-        if (view.marker != nullptr) return visit(clue_of(view, *view.marker));
-        for (const Marker& marker : map_.markers())
-            if (view.may_be_of(marker)) visit(clue_of(view, marker));
+        each_marker(view, [&](const Marker& marker) { visit(clue_of(view, marker)); });
+    }
+    template <typename Visit>
+    void each_ray(const View& view, const Visit& visit) const noexcept {
+        each_marker(view, [&](const Marker& marker) { visit(ray_of(view, marker)); });
     }
 
     Params params_;
