@@ -32,10 +32,12 @@ class PoseSearch {
     /// \param newest_first sightings, the first at the robot's pose of now
     /// \param guesses poses of now that somebody has in mind, as hypotheses of the last run carried
     /// on by odometry: they are judged with the others
+    /// \param turn any number that changes from run to run: where not everything can be tried, it
+    /// chooses what is tried first
     /// \return valid until the next run
     [[nodiscard]] Hypotheses run(const Evidence* newest_first, int count,
-                                 const Pose<double>* guesses = nullptr,
-                                 int guess_count = 0) noexcept;
+                                 const Pose<double>* guesses = nullptr, int guess_count = 0,
+                                 std::uint32_t turn = 0) noexcept;
 
     /// Of one sighting under a pose with a covariance, in the measure of the evidence.
     [[nodiscard]] double log_likelihood(const Pose<double>& pose,
@@ -47,6 +49,9 @@ class PoseSearch {
     static constexpr int kSeeds = 10;       // sightings that give candidates
     static constexpr int kCandidates = 64;  // that are kept
     static constexpr int kRefined = 16;     // at most
+    /// Bound on the work of proposing, in markers looked at; a sighting or a set of sightings costs
+    /// as much as kWork more.
+    static constexpr int kMostWork = 600'000, kWork = 10;
 
     void take(const Evidence* newest_first, int count) noexcept;
     void choose_seeds() noexcept;
@@ -59,6 +64,9 @@ class PoseSearch {
     void refine_best() noexcept;
     [[nodiscard]] Hypothesis judge(const Fit& fit) const noexcept;
     void keep(const Hypothesis& hypothesis) noexcept;
+
+    [[nodiscard]] const View& seed(int i) const noexcept { return views_[seeds_[i]]; }
+    [[nodiscard]] int markers() const noexcept { return static_cast<int>(map_.markers().size()); }
 
     /// visit(marker) for every marker that the sighting can be of
     template <typename Visit>
@@ -82,6 +90,8 @@ class PoseSearch {
     View views_[kMostEvidence];  // newest first
     int count_ = 0;
     double most_[kMostEvidence + 1] = {};  // that views from here on can add to a score
+    std::uint32_t turn_ = 0;
+    int work_ = 0;
     int seeds_[kSeeds] = {};
     int seed_count_ = 0;
     Candidates<kCandidates> candidates_;
