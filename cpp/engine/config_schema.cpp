@@ -148,7 +148,7 @@ std::size_t readable(std::string_view text) {
     }
     constexpr unsigned shortest[] = {0, 0, 0xa0, 0x800, 0x10000};
     const bool surrogate = code >= 0xd800 && code <= 0xdfff;
-    const bool special = code == 0xfeff || code >= 0xfff0;
+    const bool special = code == 0xfeff || (code & 0xfffe) == 0xfffe;
     return code < shortest[length] || surrogate || special ? 0 : length;
 }
 

@@ -8,6 +8,7 @@
 #include "pilotage/search/meet.hpp"
 #include "pilotage/search/refinement.hpp"
 #include "pilotage/search/rigid_fit.hpp"
+#include "pilotage/search/subsets.hpp"
 
 namespace pilotage {
 
@@ -33,9 +34,9 @@ PoseSearch::PoseSearch(const Params& params, MarkerMap map)
 
 double PoseSearch::log_likelihood(const Pose<double>& pose, const Matrix<double, 3>& covariance,
                                   const Sighting& sighting, std::uint8_t source) const noexcept {
-    const View view = view_of(sighting, params_.sensors[source], map_, site_, {0, 0, 0},
-                              (covariance(kX, kX) + covariance(kY, kY)) / 2,
-                              covariance(kHeading, kHeading));
+    const View view =
+        view_of(sighting, params_.sensors[source], map_, site_, {0, 0, 0},
+                (covariance(kX, kX) + covariance(kY, kY)) / 2, covariance(kHeading, kHeading));
     return view.measured == 0 ? 0 : explain(view, Frame(pose), map_).log_likelihood;
 }
 
@@ -77,10 +78,11 @@ void PoseSearch::consider(const Point& place, const Point& turn) noexcept {
 
 /// Scores a candidate, for as long as it may be better than those that there are.
 void PoseSearch::consider(const Frame& robot) noexcept {
-    const double threshold = std::max(0.0, candidates_.threshold());
+    const double threshold = candidates_.threshold();
     double sum = 0, best = 0;
     int explained = 0;
     for (int i = 0; i < count_; ++i) {
+        work_ += views_[i].marker != nullptr ? kWork : kWork + markers();
         sum += explain(views_[i], robot, map_, kWiden).log_likelihood - views_[i].log_likelihood;
         if (sum >= best) {
             best = sum;
@@ -93,7 +95,7 @@ void PoseSearch::consider(const Frame& robot) noexcept {
 
 /// Two points, or a point and something else of another marker.
 void PoseSearch::propose_by_points() noexcept {
-    const auto pair = [&](const Clue& one, const Clue& two) {
+    const auto propose = [&](const Clue& one, const Clue& two) {
         if (one.marker == two.marker || !(one.is_point() || two.is_point())) return;
         if (one.is_point() && two.is_point()) {
             if (!same_distance(one, two)) return;
@@ -105,84 +107,87 @@ void PoseSearch::propose_by_points() noexcept {
         for (int i = 0; i < headings.count; ++i)
             consider(place_by_point(point, headings.direction[i]), headings.direction[i]);
     };
-    for (int i = 0; i < seed_count_; ++i)
-        for (int j = i + 1; j < seed_count_; ++j)
-            each_clue(views_[seeds_[i]], [&](const Clue& one) {
-                each_clue(views_[seeds_[j]], [&](const Clue& two) { pair(one, two); });
-            });
+    each_subset<2>(seed_count_, turn_, [&](const Subset<2>& pair) {
+        each_clue(seed(pair[0]), [&](const Clue& one) {
+            work_ += markers();
+            each_clue(seed(pair[1]), [&](const Clue& two) { propose(one, two); });
+        });
+        return work_ < kMostWork;
+    });
 }
 
+/// Three bearings of different markers.
 void PoseSearch::propose_by_bearings() noexcept {
     constexpr double kLeastSpread = 0.1;
-    const auto triple = [&](const View& first, const View& second, const View& third) {
-        const ThreeBearings three(first, second, third);
-        if (three.spread() < kLeastSpread) return;
-        each_clue(first, [&](const Clue& one) {
-            each_clue(second, [&](const Clue& two) {
-                if (two.marker == one.marker) return;
-                each_clue(third, [&](const Clue& other) {
-                    if (other.marker == one.marker || other.marker == two.marker) return;
-                    const Headings headings =
-                        three.of(one.marker, two.marker, other.marker).solve();
-                    for (int i = 0; i < headings.count; ++i) {
-                        const Point& turn = headings.direction[i];
-                        const Places places = meet(one, two, turn);
-                        if (places.count > 0) consider(places.place[0], turn);
-                    }
+    const auto propose = [&](const HeadingEquation& equation, const Clue& one, const Clue& two) {
+        const Headings headings = equation.solve();
+        for (int i = 0; i < headings.count; ++i) {
+            const Places places = meet(one, two, headings.direction[i]);
+            if (places.count > 0) consider(places.place[0], headings.direction[i]);
+        }
+    };
+    each_subset<3>(seed_count_, turn_, [&](const Subset<3>& triple) {
+        for (const int i : triple)
+            if (!seed(i).has(kBearing) || seed(i).has(kRange)) return true;
+        const ThreeBearings three(seed(triple[0]), seed(triple[1]), seed(triple[2]));
+        if (three.spread() < kLeastSpread) return true;
+        each_ray(seed(triple[0]), [&](const Clue& one) {
+            each_ray(seed(triple[1]), [&](const Clue& two) {
+                if (two.marker == one.marker || work_ >= kMostWork) return;
+                work_ += kWork * markers();
+                each_ray(seed(triple[2]), [&](const Clue& last) {
+                    if (last.marker == one.marker || last.marker == two.marker) return;
+                    propose(three.of(one.marker, two.marker, last.marker), one, two);
                 });
             });
         });
-    };
-    for (int i = 0; i < seed_count_; ++i)
-        for (int j = i + 1; j < seed_count_; ++j)
-            for (int k = j + 1; k < seed_count_; ++k) {
-                const View* views[] = {&views_[seeds_[i]], &views_[seeds_[j]], &views_[seeds_[k]]};
-                bool bearings_alone = true;
-                for (const View* view : views)
-                    bearings_alone = bearings_alone && view->has(kBearing) && !view->has(kRange);
-                if (bearings_alone) triple(*views[0], *views[1], *views[2]);
-            }
+        return work_ < kMostWork;
+    });
 }
 
-/// Where two sightings leave a curve of poses: for headings all round.
+/// Two sightings that leave a curve of poses: headings all round.
 void PoseSearch::propose_by_arcs() noexcept {
     constexpr int kArcs = 3;
     int arcs = 0;
-    for (int i = 0; i + 1 < seed_count_ && arcs < kArcs; ++i) {
-        const View& one = views_[seeds_[i]];
-        for (int j = i + 1; j < seed_count_; ++j) {
-            const View& two = views_[seeds_[j]];
-            if (one.marker == nullptr || two.marker == nullptr || one.marker == two.marker) continue;
-            propose_arc(clue_of(one, *one.marker), clue_of(two, *two.marker));
-            ++arcs;
-            i = j;  // the next arc is by other sightings
-            break;
-        }
-    }
+    std::uint64_t used = 0;  // each arc by other sightings
+    each_subset<2>(seed_count_, turn_, [&](const Subset<2>& pair) {
+        const View &one = seed(pair[0]), &two = seed(pair[1]);
+        const bool rays = one.has(kBearing) && two.has(kBearing);
+        const std::uint64_t both = std::uint64_t{1} << pair[0] | std::uint64_t{1} << pair[1];
+        const bool known = one.marker != nullptr && two.marker != nullptr;
+        if ((used & both) != 0 || (known && one.marker == two.marker) || (rays && !known))
+            return true;
+        each_clue(one, [&](const Clue& first) {
+            each_clue(two, [&](const Clue& second) {
+                if (first.marker != second.marker && work_ < kMostWork) propose_arc(first, second);
+            });
+        });
+        used |= both;
+        return ++arcs < kArcs && work_ < kMostWork;
+    });
 }
 
 void PoseSearch::propose_arc(const Clue& one, const Clue& two) noexcept {
-    if (one.is_point() && two.is_point()) return;
-    const bool rays = one.has_direction && two.has_direction;
-    const int steps = rays ? 48 : 24;
+    constexpr int kRays = 48, kCircles = 12;  // headings: a bearing tells it more sharply
+    if (one.is_point() || two.is_point()) return;
+    const int steps = one.has_direction && two.has_direction ? kRays : kCircles;
     for (int i = 0; i < steps; ++i) {
         const double heading = 2 * kPi<double> * i / steps;
         const Point turn(std::cos(heading), std::sin(heading));
         const Places places = meet(one, two, turn);
+        work_ += kWork;
         for (int k = 0; k < places.count; ++k) consider(places.place[k], turn);
     }
 }
 
-/// The candidate at its best, with its evidence.
-Hypothesis PoseSearch::judge(const Candidate& candidate) const noexcept {
-    const Fit fit = refine(candidate.pose, views_, candidate.explained, map_, site_);
+/// A pose that was fitted, with its evidence.
+Hypothesis PoseSearch::judge(const Fit& fit) const noexcept {
     Hypothesis result;
     result.pose = fit.pose;
     const Ldlt<double, 3> information(fit.information);
     result.covariance = information.inverse();
-    const double occam =
-        (3 * std::log(2 * kPi<double>) - std::log(information.determinant())) / 2 -
-        site_.log_volume();
+    const double occam = (3 * std::log(2 * kPi<double>) - std::log(information.determinant())) / 2 -
+                         site_.log_volume();
     const Frame robot(fit.pose);
     double sum = 0;
     int sightings = 0;
@@ -225,25 +230,39 @@ void PoseSearch::keep(const Hypothesis& hypothesis) noexcept {
     hypotheses_[at] = hypothesis;
 }
 
+/// Climbs from the best candidates, first with variances so wide that no sighting is clutter before
+/// the pose has settled. Those that lead to where another one led are given up on the way.
 void PoseSearch::refine_best() noexcept {
-    constexpr double kLeadsThereSquared = 100;
-    constexpr double kHopeless = 40;
+    constexpr double kLevels[] = {16, 4, 1};
+    constexpr double kNearSquared = 100;
     int refined = 0;
     for (int i = 0; i < candidates_.count() && refined < kRefined; ++i) {
         const Candidate& candidate = candidates_[i];
-        if (candidate.score < candidates_[0].score - kHopeless) break;
-        const auto leads_there = [&](const Hypothesis& h) {
-            return same(h, candidate.pose, kLeadsThereSquared) &&
-                   minus(candidate.pose, h.pose).squaredNorm() < 1;
+        if (candidate.score < candidates_.threshold()) break;
+        Fit fit;
+        fit.pose = candidate.pose;
+        const auto known = [&] {
+            return std::any_of(hypotheses_, hypotheses_ + found_, [&](const Hypothesis& h) {
+                return same(h, fit.pose, kNearSquared) &&
+                       minus(fit.pose, h.pose).squaredNorm() < 1;
+            });
         };
-        if (std::any_of(hypotheses_, hypotheses_ + found_, leads_there)) continue;
-        keep(judge(candidate));
+        bool given_up = known();
+        for (const double widen : kLevels) {
+            if (given_up) break;
+            fit = climb(fit.pose, views_, candidate.explained, map_, site_, widen);
+            given_up = known();
+        }
+        if (given_up) continue;
+        keep(judge(fit));
         ++refined;
     }
 }
 
 Hypotheses PoseSearch::run(const Evidence* newest_first, int count, const Pose<double>* guesses,
-                           int guess_count) noexcept {
+                           int guess_count, std::uint32_t turn) noexcept {
+    turn_ = turn;
+    work_ = 0;
     take(newest_first, count);
     choose_seeds();
     candidates_.clear();

@@ -20,14 +20,17 @@ struct Candidate {
 template <int Capacity>
 class Candidates {
    public:
+    static constexpr double kHopeless = 25;  ///< behind the best
+
     void clear() noexcept { count_ = 0; }
     [[nodiscard]] int count() const noexcept { return count_; }
     [[nodiscard]] const Candidate& operator[](int i) const noexcept { return list_[i]; }
 
     /// A score that is not above this is of no use.
     [[nodiscard]] double threshold() const noexcept {
-        return count_ < Capacity ? -std::numeric_limits<double>::infinity()
-                                 : list_[Capacity - 1].score;
+        if (count_ == 0) return 0;
+        const double hopeless = std::max(0.0, list_[0].score - kHopeless);
+        return count_ < Capacity ? hopeless : std::max(hopeless, list_[Capacity - 1].score);
     }
 
     void add(const Candidate& candidate) noexcept {

@@ -10,9 +10,9 @@
 namespace pilotage {
 
 struct Clue {
-    Point place;   ///< of the sensor at the sighting, in the robot's frame of now [m]
-    Point along;   ///< unit vector to the marker in the same frame, where has_direction
-    Point marker;  ///< in frame map [m]
+    Point place;             ///< of the sensor at the sighting, in the robot's frame of now [m]
+    Point along;             ///< unit vector to the marker in the same frame, where has_direction
+    Point marker;            ///< in frame map [m]
     double distance_m = 0;   ///< over ground, where has_distance
     double variance_m2 = 0;  ///< of the point, both axes together
     bool has_direction = false, has_distance = false;
@@ -24,30 +24,35 @@ struct Clue {
     [[nodiscard]] Point point() const noexcept { return place + distance_m * along; }
 };
 
-/// The distance is taken from the range or, where there is none, from the elevation if that tells
-/// it to better than `kVague`.
-[[nodiscard]] inline Clue clue_of(const View& view, const Marker& marker) noexcept {
-    constexpr double kVague = 0.3;  // sigma over distance
+/// The bearing alone.
+[[nodiscard]] inline Clue ray_of(const View& view, const Marker& marker) noexcept {
     Clue clue{view.place.head<2>(), view.along, {marker.x_m, marker.y_m}};
     clue.has_direction = view.has(kBearing);
+    return clue;
+}
+
+/// Bearing and distance. That is taken from the range or, where there is none, from the elevation
+/// if it tells it to better than `kVague`.
+[[nodiscard]] inline Clue clue_of(const View& view, const Marker& marker) noexcept {
+    constexpr double kVague = 0.3;  // sigma over distance
+    Clue clue = ray_of(view, marker);
     const double dz = marker.z_m - view.sensor->z_m;
     double variance = 0;
     if (view.has(kRange)) {
+        clue.distance_m = std::sqrt(std::max(0.0, view.slant_m * view.slant_m - dz * dz));
         const double scale = view.sensor->range_scale;
-        const double slant =
-            (view.sighting->value[kRange] - view.sensor->range_offset_m) / scale;
-        clue.distance_m = std::sqrt(std::max(0.0, slant * slant - dz * dz));
         variance = view.variance[kRange] / (scale * scale);
         clue.has_distance = clue.distance_m >= view.sensor->min_distance_m;
     } else if (view.has(kElevation)) {
-        const double d = dz / std::tan(view.sighting->value[kElevation]);
+        const double d = dz / view.slope;
         const double by_elevation = (d * d + dz * dz) / dz;
         variance = view.variance[kElevation] * by_elevation * by_elevation;
         clue.distance_m = d;
         clue.has_distance = d >= view.sensor->min_distance_m && variance < kVague * kVague * d * d;
     }
-    clue.variance_m2 = variance + view.place_m2 + marker.sigma_m * marker.sigma_m +
-                       clue.distance_m * clue.distance_m * (view.variance[kBearing] + view.place_rad2);
+    clue.variance_m2 =
+        variance + view.place_m2 + marker.sigma_m * marker.sigma_m +
+        clue.distance_m * clue.distance_m * (view.variance[kBearing] + view.place_rad2);
     return clue;
 }
 

@@ -37,10 +37,13 @@ struct View {
     double variance[3] = {};         ///< of the sensor's noise alone
     Pose<double> place{0, 0, 0};     ///< of the sensor at the sighting, in the robot's frame of now
     double place_m2 = 0, place_rad2 = 0;  ///< variances of that by odometry, each axis and heading
-    Point along{0, 0};  ///< unit vector from the sensor to the marker, in the robot's frame of now
-    double share = 0;   ///< probability that it is of one marker that it can be of
-    double clutter = 0;        ///< density of the measured values where it is of none, times kClutter
-    double log_likelihood = 0;  ///< under the estimate that is judged, never below log(clutter)
+    Point along{0, 0};   ///< unit vector from the sensor to the marker, in the robot's frame of now
+    double slope = 0;    ///< tangent of the elevation
+    double slant_m = 0;  ///< range as the map has it: scale and offset taken out
+    double share = 0;    ///< probability that it is of one marker that it can be of
+    double clutter = 0;  ///< density of the measured values where it is of none, times kClutter
+    double log_clutter = 0;
+    double log_likelihood = 0;  ///< under the estimate that is judged, never below log_clutter
 
     [[nodiscard]] bool has(ComponentIndex c) const noexcept { return measured >> c & 1; }
 
@@ -77,7 +80,9 @@ struct View {
         view.clutter /= width[c];
     });
     view.share = (1 - kClutter) / candidates;
-    view.log_likelihood = std::log(view.clutter);
+    view.log_likelihood = view.log_clutter = std::log(view.clutter);
+    view.slant_m = (sighting.value[kRange] - sensor.range_offset_m) / sensor.range_scale;
+    if (view.has(kElevation)) view.slope = std::tan(sighting.value[kElevation]);
     if (view.has(kBearing)) {
         const double direction = view.place[kHeading] + sighting.value[kBearing];
         view.along = {std::cos(direction), std::sin(direction)};

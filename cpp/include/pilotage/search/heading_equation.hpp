@@ -65,8 +65,8 @@ struct ThreeBearings {
 
     /// How far the bearings are from having two of one direction: the sine between the nearest two.
     [[nodiscard]] double spread() const noexcept {
-        return std::sqrt(std::min({weighted[0].squaredNorm(), weighted[1].squaredNorm(),
-                                   weighted[2].squaredNorm()}));
+        return std::sqrt(std::min(
+            {weighted[0].squaredNorm(), weighted[1].squaredNorm(), weighted[2].squaredNorm()}));
     }
 
     [[nodiscard]] HeadingEquation of(const Point& m1, const Point& m2,
@@ -79,8 +79,8 @@ struct ThreeBearings {
 /// A point and another marker's bearing or, where that has none, its distance.
 /// \pre point.is_point(), and `other` has one of the two
 [[nodiscard]] inline HeadingEquation point_and(const Clue& point, const Clue& other) noexcept {
-    const Point apart = other.marker - point.marker;       // R' of it is seen from the robot
-    const Point offset = point.point() - other.place;      // R' apart + offset: sensor to marker
+    const Point apart = other.marker - point.marker;   // R' of it is seen from the robot
+    const Point offset = point.point() - other.place;  // R' apart + offset: sensor to marker
     if (other.has_direction) {
         const Point normal(-other.along[1], other.along[0]);
         return {normal.dot(apart), cross(normal, apart), -normal.dot(offset)};

@@ -13,8 +13,8 @@ struct Hypothesis {
     Pose<double> pose{0, 0, 0};    ///< of the robot now, in frame map
     Matrix<double, 3> covariance;  ///< inverse Hessian of the robust fit
     /// Logarithm of the probability density of all that was seen if the robot is somewhere here:
-    /// Laplace's approximation, the log-likelihoods' sum + 0.5 log det(2 pi covariance) - log(volume
-    /// of all poses).
+    /// Laplace's approximation, the log-likelihoods' sum + 0.5 log det(2 pi covariance) -
+    /// log(volume of all poses).
     double log_evidence = 0;
     /// The same for the newest sightings alone and less what the given estimate makes of them (or
     /// clutter, where none is given), for the number of sightings that makes the most of it: how

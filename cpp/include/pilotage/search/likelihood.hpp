@@ -26,8 +26,7 @@ struct Match {
 
     /// Of the measured values.
     [[nodiscard]] double density() const noexcept {
-        constexpr double nothing = 80;  // exp(-40)
-        return nis < nothing ? std::exp(-nis / 2) / std::sqrt(spread) : 0;
+        return std::exp(-nis / 2) / std::sqrt(spread);
     }
 };
 
@@ -60,8 +59,8 @@ struct Match {
         row.by_x = p.by_x;
         row.by_y = p.by_y;
         // As sensing/mounted.hpp has it: the sensor's place of then moves with the robot of now.
-        row.by_heading = p.by_heading + p.by_y * (sensor[kX] - robot.x) -
-                         p.by_x * (sensor[kY] - robot.y);
+        row.by_heading =
+            p.by_heading + p.by_y * (sensor[kX] - robot.x) - p.by_x * (sensor[kY] - robot.y);
         match.nis += row.residual * row.residual * row.information;
         match.spread *= 2 * kPi<double> * variance;
     };
@@ -103,8 +102,8 @@ struct Explanation {
     Match match;  ///< with that marker
 };
 
-/// The mixture \f$(1 - \epsilon) \frac{1}{n} \sum_m N(z; h_m(T), \Sigma) + \epsilon\, u(z)\f$ over the
-/// n markers that the sighting can be of, with \f$\epsilon\f$ = kClutter and u uniform.
+/// The mixture \f$(1 - \epsilon) \frac{1}{n} \sum_m N(z; h_m(T), \Sigma) + \epsilon\, u(z)\f$ over
+/// the n markers that the sighting can be of, with \f$\epsilon\f$ = kClutter and u uniform.
 /// \param robot pose now in frame map
 [[nodiscard, gnu::always_inline]] inline Explanation explain(const View& view, const Frame& robot,
                                                              const MarkerMap& map,
@@ -122,14 +121,17 @@ struct Explanation {
             result.match = match;
         }
     };
+    const Point along = turned({robot.c, robot.s}, view.along);
+    const auto try_one = [&](const Marker& marker) {
+        if (near(marker, view, sensor, along, widen)) hold(marker);
+    };
     if (view.marker != nullptr) {
-        hold(*view.marker);
+        try_one(*view.marker);
     } else {
-        const Point along = turned({robot.c, robot.s}, view.along);
         for (const Marker& marker : map.markers())
-            if (view.may_be_of(marker) && near(marker, view, sensor, along, widen)) hold(marker);
+            if (view.may_be_of(marker)) try_one(marker);
     }
-    result.log_likelihood = std::log(likelihood);
+    result.log_likelihood = best > 0 ? std::log(likelihood) : view.log_clutter;
     result.belief = best / likelihood;
     return result;
 }

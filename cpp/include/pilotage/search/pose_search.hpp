@@ -6,6 +6,7 @@
 #include "pilotage/search/clue.hpp"
 #include "pilotage/search/hypothesis.hpp"
 #include "pilotage/search/likelihood.hpp"
+#include "pilotage/search/refinement.hpp"
 
 namespace pilotage {
 
@@ -19,8 +20,8 @@ struct Hypotheses {
     [[nodiscard]] const Hypothesis& operator[](int i) const noexcept { return first[i]; }
 };
 
-/// Two or three sightings at a time give candidates, all sightings score them, the best are refined.
-/// A run depends on its arguments alone, and its work is bounded.
+/// Two or three sightings at a time give candidates, all sightings score them, the best are
+/// refined. A run depends on its arguments alone, and its work is bounded.
 class PoseSearch {
    public:
     static constexpr int kMostEvidence = 32;
@@ -31,10 +32,12 @@ class PoseSearch {
     /// \param newest_first sightings, the first at the robot's pose of now
     /// \param guesses poses of now that somebody has in mind, as hypotheses of the last run carried
     /// on by odometry: they are judged with the others
+    /// \param turn any number that changes from run to run: where not everything can be tried, it
+    /// chooses what is tried first
     /// \return valid until the next run
     [[nodiscard]] Hypotheses run(const Evidence* newest_first, int count,
-                                 const Pose<double>* guesses = nullptr,
-                                 int guess_count = 0) noexcept;
+                                 const Pose<double>* guesses = nullptr, int guess_count = 0,
+                                 std::uint32_t turn = 0) noexcept;
 
     /// Of one sighting under a pose with a covariance, in the measure of the evidence.
     [[nodiscard]] double log_likelihood(const Pose<double>& pose,
@@ -46,6 +49,9 @@ class PoseSearch {
     static constexpr int kSeeds = 10;       // sightings that give candidates
     static constexpr int kCandidates = 64;  // that are kept
     static constexpr int kRefined = 16;     // at most
+    /// Bound on the work of proposing, in markers looked at; a sighting or a set of sightings costs
+    /// as much as kWork more.
+    static constexpr int kMostWork = 600'000, kWork = 10;
 
     void take(const Evidence* newest_first, int count) noexcept;
     void choose_seeds() noexcept;
@@ -56,15 +62,26 @@ class PoseSearch {
     void consider(const Frame& robot) noexcept;
     void consider(const Point& place, const Point& turn) noexcept;
     void refine_best() noexcept;
-    [[nodiscard]] Hypothesis judge(const Candidate& candidate) const noexcept;
+    [[nodiscard]] Hypothesis judge(const Fit& fit) const noexcept;
     void keep(const Hypothesis& hypothesis) noexcept;
 
-    /// visit(clue) for every marker that the sighting can be of
+    [[nodiscard]] const View& seed(int i) const noexcept { return views_[seeds_[i]]; }
+    [[nodiscard]] int markers() const noexcept { return static_cast<int>(map_.markers().size()); }
+
+    /// visit(marker) for every marker that the sighting can be of
+    template <typename Visit>
+    void each_marker(const View& view, const Visit& visit) const noexcept {
+        if (view.marker != nullptr) return visit(*view.marker);
+        for (const Marker& marker : map_.markers())
+            if (view.may_be_of(marker)) visit(marker);
+    }
     template <typename Visit>
     void each_clue(const View& view, const Visit& visit) const noexcept {
-        if (view.marker != nullptr) return visit(clue_of(view, *view.marker));
-        for (const Marker& marker : map_.markers())
-            if (view.may_be_of(marker)) visit(clue_of(view, marker));
+        each_marker(view, [&](const Marker& marker) { visit(clue_of(view, marker)); });
+    }
+    template <typename Visit>
+    void each_ray(const View& view, const Visit& visit) const noexcept {
+        each_marker(view, [&](const Marker& marker) { visit(ray_of(view, marker)); });
     }
 
     Params params_;
@@ -73,6 +90,8 @@ class PoseSearch {
     View views_[kMostEvidence];  // newest first
     int count_ = 0;
     double most_[kMostEvidence + 1] = {};  // that views from here on can add to a score
+    std::uint32_t turn_ = 0;
+    int work_ = 0;
     int seeds_[kSeeds] = {};
     int seed_count_ = 0;
     Candidates<kCandidates> candidates_;

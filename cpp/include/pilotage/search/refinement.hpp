@@ -42,33 +42,27 @@ struct Fit {
     return fit;
 }
 
-/// Climbs to the nearest top with the variances first widened, so that no sighting is clutter
-/// before the pose has settled.
-[[nodiscard]] inline Fit refine(const Pose<double>& start, const View* views, int count,
-                                const MarkerMap& map, const Site& site) noexcept {
-    constexpr double kWiden[] = {16, 4, 1};
-    constexpr int kSteps = 8;               // on each level
-    constexpr double kEnough = 1e-3;        // expected gain of a step in log-likelihood
-    constexpr double kDamping = 1e-3, kMost = 1e6;
-    Fit fit;
-    fit.pose = start;
-    for (const double widen : kWiden) {
-        fit = fit_at(fit.pose, views, count, map, site, widen);
-        double damping = kDamping;
-        for (int step = 0; step < kSteps && damping < kMost; ++step) {
-            Matrix<double, 3> damped = fit.information;
-            damped.diagonal() *= 1 + damping;
-            const Vector<double, 3> dx = Ldlt<double, 3>(damped).solve(fit.gradient);
-            const Fit next = fit_at(plus(fit.pose, dx), views, count, map, site, widen);
-            if (next.log_likelihood >= fit.log_likelihood) {
-                const bool settled = fit.gradient.dot(dx) < kEnough;
-                fit = next;
-                if (settled) break;
-                damping /= 10;
-            } else {
-                damping *= 10;
-            }
+/// Climbs to the top nearest to `start`.
+[[nodiscard]] inline Fit climb(const Pose<double>& start, const View* views, int count,
+                               const MarkerMap& map, const Site& site, double widen) noexcept {
+    constexpr int kSteps = 8;
+    constexpr double kEnough = 1e-2;  // log-likelihood that a step is expected to add
+    constexpr double kDamping = 1e-3, kMostDamping = 1e4;
+    Fit fit = fit_at(start, views, count, map, site, widen);
+    double damping = kDamping;
+    for (int step = 0; step < kSteps && damping < kMostDamping; ++step) {
+        Matrix<double, 3> damped = fit.information;
+        damped.diagonal() *= 1 + damping;
+        const Vector<double, 3> dx = Ldlt<double, 3>(damped).solve(fit.gradient);
+        const Fit next = fit_at(plus(fit.pose, dx), views, count, map, site, widen);
+        if (next.log_likelihood < fit.log_likelihood) {
+            damping *= 10;
+            continue;
         }
+        const bool settled = fit.gradient.dot(dx) < kEnough;
+        fit = next;
+        if (settled) break;
+        damping /= 10;
     }
     return fit;
 }

@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// Pairs and triples out of a few, in an order in which those that follow each other share little:
+/// one bad sighting then spoils few of those that are tried first.
+
+#include <array>
+#include <cstdint>
+
+namespace pilotage {
+
+template <int K>
+using Subset = std::array<int, K>;
+
+[[nodiscard]] constexpr int binomial(int n, int k) noexcept {
+    int result = 1;
+    for (int i = 0; i < k; ++i) result = result * (n - i) / (i + 1);
+    return n < k ? 0 : result;
+}
+
+/// The subset of K numbers below n that is number `index` in the order of a dictionary.
+template <int K>
+[[nodiscard]] constexpr Subset<K> subset(int n, int index) noexcept {
+    Subset<K> result{};
+    int number = 0;
+    for (int k = 0; k < K; ++k, ++number) {
+        for (int rest; index >= (rest = binomial(n - number - 1, K - k - 1)); ++number)
+            index -= rest;
+        result[static_cast<std::size_t>(k)] = number;
+    }
+    return result;
+}
+
+/// visit(subset) for all of them until it says false; `turn` chooses where to begin.
+template <int K, typename Visit>
+void each_subset(int n, std::uint32_t turn, const Visit& visit) noexcept {
+    constexpr std::uint32_t stride = 37;  // a prime that divides no binomial(n, 2 or 3) up to n = 36
+    const auto total = static_cast<std::uint32_t>(binomial(n, K));
+    for (std::uint32_t i = 0; i < total; ++i)
+        if (!visit(subset<K>(n, static_cast<int>((i + turn) % total * stride % total)))) return;
+}
+
+}  // namespace pilotage
