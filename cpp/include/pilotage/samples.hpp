@@ -31,6 +31,8 @@ struct BodyVelocity {
     double v_m_s, omega_rad_s;
 };
 
+inline constexpr std::int32_t kUnknownId = -1;  ///< of a sighting: its marker is to be found
+
 /// One marker in one frame; NaN values were not measured, NaN sigmas are as configured.
 /// Components in the order bearing [rad], elevation [rad], range [m].
 struct Sighting {

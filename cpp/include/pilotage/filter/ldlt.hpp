@@ -51,6 +51,13 @@ class Ldlt {
     /// No pivot is below minus the tolerance; false for NaN.
     [[nodiscard]] bool semidefinite() const noexcept { return semidefinite_; }
 
+    /// Of A, where that is positive definite.
+    [[nodiscard]] Scalar determinant() const noexcept {
+        Scalar product = 1;
+        each<M>([&](int i) { product *= inverse_[i]; });
+        return 1 / product;
+    }
+
     /// x with A x = b.
     [[nodiscard]] Vector<Scalar, M> solve(const Vector<Scalar, M>& b) const noexcept {
         Vector<Scalar, M> x;
