@@ -27,9 +27,9 @@ bool Associator<Scalar>::seen_by_id(std::int32_t id) const noexcept {
 }
 
 template <typename Scalar>
-void Associator<Scalar>::find(const Pose<Scalar>& robot, const Matrix<Scalar, 3>& covariance,
-                              const MarkerMap& map, const MarkerSensorParams& sensor,
-                              const Policy& policy) noexcept {
+void Associator<Scalar>::resolve(const Pose<Scalar>& robot, const Matrix<Scalar, 3>& covariance,
+                                 const MarkerMap& map, const MarkerSensorParams& sensor,
+                                 const Policy& policy) noexcept {
     const SensorPlace<Scalar> place(robot, covariance, sensor);
     const Deviation<Scalar> before(Vector<Scalar, 3>::Zero(), covariance);
     Contender<Scalar>* contenders[kMaxSightings];

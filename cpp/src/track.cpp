@@ -284,6 +284,15 @@ void Tracker<Scalar, N>::learn_bias(Track& track) const noexcept {
 }
 
 template <typename Scalar, int N>
+void Tracker<Scalar, N>::recognise(const Track& track, int sensor,
+                                   Associator<Scalar>& frame) const noexcept {
+    if (!frame.any_unknown()) return;
+    frame.resolve(track.filter.state().template head<kPoseStates>(),
+                  track.filter.covariance().template topLeftCorner<kPoseStates, kPoseStates>(),
+                  map_, params_.sensors[sensor], policies_[sensor]);
+}
+
+template <typename Scalar, int N>
 SightingReport Tracker<Scalar, N>::sight(Track& track, const Sample& sample) const noexcept {
     const Policy& policy = policies_[sample.source];
     const SightingReport report =

@@ -42,15 +42,14 @@ class Associator {
         if (sighting.id == kUnknownId) ++unknown_;
     }
     [[nodiscard]] bool full() const noexcept { return size_ == kMaxSightings; }
+    [[nodiscard]] bool any_unknown() const noexcept { return unknown_ > 0; }
 
     /// Finds the markers of the sightings without id. Those with one keep it, and their marker is
     /// no choice for others.
     /// \param robot pose at the frame's time, with its covariance
     void resolve(const Pose<Scalar>& robot, const Matrix<Scalar, 3>& covariance,
                  const MarkerMap& map, const MarkerSensorParams& sensor,
-                 const Policy& policy) noexcept {
-        if (unknown_ > 0) find(robot, covariance, map, sensor, policy);
-    }
+                 const Policy& policy) noexcept;
 
     /// Of the i-th sighting added.
     [[nodiscard]] const Association& operator[](std::size_t i) const noexcept { return found_[i]; }
@@ -59,8 +58,6 @@ class Associator {
     [[nodiscard]] int nodes() const noexcept { return nodes_; }
 
    private:
-    void find(const Pose<Scalar>& robot, const Matrix<Scalar, 3>& covariance, const MarkerMap& map,
-              const MarkerSensorParams& sensor, const Policy& policy) noexcept;
     [[nodiscard]] bool seen_by_id(std::int32_t id) const noexcept;
     void decide(const JointSearch<Scalar>& search, Contender<Scalar>* const* contenders,
                 int size) noexcept;

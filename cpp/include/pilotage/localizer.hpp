@@ -105,7 +105,10 @@ class Localizer {
     void recompute(std::size_t place) noexcept;
     void advance(Track& track, std::size_t from, std::size_t to) noexcept;
     void begin(Track& track, std::size_t from, std::size_t to) noexcept;
-    void correct(Track& track, Node& node) noexcept;
+    [[nodiscard]] std::size_t recognise(const Track& track, std::size_t from,
+                                        std::size_t to) noexcept;
+    void correct(Track& track, Node& node, const Association& of) noexcept;
+    void reset(Track& track, Node& node) noexcept;
     void dismiss(Node& node, Verdict verdict) noexcept;
     void settle(Node& node, Verdict verdict) noexcept;
 
@@ -117,6 +120,7 @@ class Localizer {
     Tracker<Scalar, N> tracker_;
     Listener* listener_;
     History<Node> history_;
+    Associator<Scalar> frame_;
     Track base_;  // what came before the first sample of the history
     bool initialized_ = false;
 };

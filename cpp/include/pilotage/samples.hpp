@@ -92,4 +92,10 @@ struct Sample {
     }
 };
 
+/// Whether two sightings were seen at once by one sensor.
+[[nodiscard]] inline bool same_frame(const Sample& a, const Sample& b) noexcept {
+    return a.utime == b.utime && a.stream == Stream::sighting && b.stream == Stream::sighting &&
+           a.seq == b.seq && a.source == b.source;
+}
+
 }  // namespace pilotage

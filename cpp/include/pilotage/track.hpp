@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "pilotage/association.hpp"
 #include "pilotage/checkpoint.hpp"
 #include "pilotage/dead_reckoning.hpp"
 #include "pilotage/filter/agreement.hpp"
@@ -122,6 +123,9 @@ class Tracker {
         dead_reckon(track.filter, u, params_);
         if (track.alternative.active) dead_reckon(track.alternative.filter, u, params_);
     }
+
+    /// Finds which markers a gathered frame of a sensor is of.
+    void recognise(const Track& track, int sensor, Associator<Scalar>& frame) const noexcept;
 
     /// Fuses a sighting.
     [[nodiscard]] SightingReport sight(Track& track, const Sample& sample) const noexcept;

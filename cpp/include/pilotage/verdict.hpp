@@ -41,11 +41,10 @@ inline constexpr int kVerdicts = static_cast<int>(Verdict::ambiguous_match) + 1;
 /// Word for reports, statistics and logs.
 [[nodiscard]] constexpr const char* name(Verdict v) noexcept {
     constexpr const char* names[kVerdicts] = {
-        "pending",         "fused",         "bad_value", "implausible",
-        "not_initialized", "before_motion", "late",      "clock",
-        "not_allowed",     "duplicate",     "no_motion", "counter_reset",
-        "unknown_marker",  "too_close",     "gate",      "numeric",
-        "no_match",        "ambiguous_match"};
+        "pending",       "fused",         "bad_value",      "implausible", "not_initialized",
+        "before_motion", "late",          "clock",          "not_allowed", "duplicate",
+        "no_motion",     "counter_reset", "unknown_marker", "too_close",   "gate",
+        "numeric",       "no_match",      "ambiguous_match"};
     return names[static_cast<int>(v)];
 }
 
