@@ -142,6 +142,10 @@ def rows(build: Path) -> Iterator[Row]:
         yield Row(f"a sighting 1 s late, Ekf<{states}>", late[f"late{states}_us"], "µs", "≤ 15")
         yield Row("  each frame fused again", late[f"late{states}_frame_us"], "µs", "≤ 1.5")
     million = 1e6
+    association = numbers(output_of(build / "bench/bench_association"))
+    for sightings in ("one", "two"):
+        title = f"a frame of {sightings} without ids, ten markers"
+        yield Row(title, association[f"{sightings}_ns"], "ns", "≤ 1,500")
     rate = engine(build)["messages_per_s"] / million
     yield Row("engine on an LCM log file", rate, "million messages/s", "≥ 1.5")
     if batch := script("batch.py"):

@@ -1,5 +1,9 @@
 #include "pilotage/marker_map.hpp"
 
+#include <pybind11/stl.h>
+
+#include <optional>
+
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "engine/config_file.hpp"
@@ -11,17 +15,19 @@ namespace pilotage::bindings {
 namespace {
 
 MarkerMap make_map(const Array<std::int32_t>& ids, const Array<double>& positions,
-                   const py::object& sigmas) {
+                   const py::object& sigmas, const std::optional<Array<std::int32_t>>& labels) {
     const py::ssize_t n = ids.ndim() == 1 ? ids.shape(0) : -1;
     if (n < 0) throw py::value_error("ids must be one-dimensional");
     expect_shape(positions, n, 3, "positions");
     Array<double> sigma = Array<double>::ensure(sigmas);
     if (!sigma) throw py::error_already_set();
     if (sigma.ndim() != 0) expect_length(sigma, n, "sigmas");
+    if (labels) expect_length(*labels, n, "labels");
     std::vector<Marker> markers;
     for (py::ssize_t i = 0; i < n; ++i)
         markers.push_back({ids.at(i), positions.at(i, 0), positions.at(i, 1), positions.at(i, 2),
-                           sigma.ndim() == 0 ? *sigma.data() : sigma.at(i)});
+                           sigma.ndim() == 0 ? *sigma.data() : sigma.at(i),
+                           labels ? labels->at(i) : -1});
     return checked_map(std::move(markers), "MarkerMap");
 }
 
@@ -30,20 +36,23 @@ MarkerMap make_map(const Array<std::int32_t>& ids, const Array<double>& position
 void bind_marker_map(py::module_& m) {
     py::class_<MarkerMap>(m, "MarkerMap", "The surveyed markers, sorted by id.")
         .def(py::init(&make_map), py::arg("ids"), py::arg("positions"), py::arg("sigmas") = 0.0,
+             py::arg("labels") = py::none(),
              R"(Parameters
 ----------
 ids : (n,) int, 0 or more, each once
 positions : (n, 3) float, x, y in frame map and z above the ground [m]
 sigmas : float or (n,) float, standard deviation of the survey in x and in y [m]
+labels : (n,) int, class of look-alike markers (a pole's colour), -1 none; none at all if left out
 
 Raises
 ------
 ValueError
-    If the map is empty, an id comes twice or a number is not finite.
+    If the map is empty, an id comes twice, a number is not finite or a label is below -1.
 )")
         .def_static(
             "load", &load_map, py::arg("path"),
-            "Reads a YAML list of {id, x, y, z, sigma}; ValueError names file, line and value.")
+            "Reads a YAML list of {id, x, y, z, sigma, label}; ValueError names file, line and "
+            "value.")
         .def(
             "save", [](const MarkerMap& map, const std::string& path) { save_map(map, path); },
             py::arg("path"), "Writes the YAML list that `load` reads.")
@@ -78,7 +87,15 @@ ValueError
                 for (const Marker& marker : map.markers()) sigmas.push_back(marker.sigma_m);
                 return owning_array(std::move(sigmas));
             },
-            "(n,) float [m]");
+            "(n,) float [m]")
+        .def_property_readonly(
+            "labels",
+            [](const MarkerMap& map) {
+                std::vector<std::int32_t> labels;
+                for (const Marker& marker : map.markers()) labels.push_back(marker.label);
+                return owning_array(std::move(labels));
+            },
+            "(n,) int32, -1 where there is none");
 }
 
 }  // namespace pilotage::bindings

@@ -58,6 +58,16 @@ double number(const YAML::Node& node, const std::string& what, const std::string
     return value;
 }
 
+/// Of a marker's id or label.
+std::int32_t whole_number(const YAML::Node& node, const std::string& what,
+                          const std::string& where) {
+    const double v = number(node, what, where);
+    if (v != std::floor(v) || v < 0 || v > 2147483647.0)
+        fail(where, node,
+             what + " is '" + node.Scalar() + "', expected a whole number of 0 or more");
+    return static_cast<std::int32_t>(v);
+}
+
 Marker parse_marker(const YAML::Node& node, const std::string& where) {
     if (!node.IsMap())
         fail(where, node, "a marker is written {id: 1, x: 2.0, y: 3.0, z: 0.0, sigma: 0.01}");
@@ -65,28 +75,26 @@ Marker parse_marker(const YAML::Node& node, const std::string& where) {
     bool id = false, x = false, y = false;
     each_pair(
         node, where, [&](const std::string& key, const YAML::Node& name, const YAML::Node& value) {
-            const double v = number(value, key, where);
             if (key == "id") {
-                if (v != std::floor(v) || v < 0 || v > 2147483647.0)
-                    fail(where, value,
-                         "id is '" + value.Scalar() + "', expected a whole number of 0 or more");
-                marker.id = static_cast<std::int32_t>(v);
+                marker.id = whole_number(value, key, where);
                 id = true;
             } else if (key == "x") {
-                marker.x_m = v;
+                marker.x_m = number(value, key, where);
                 x = true;
             } else if (key == "y") {
-                marker.y_m = v;
+                marker.y_m = number(value, key, where);
                 y = true;
             } else if (key == "z") {
-                marker.z_m = v;
+                marker.z_m = number(value, key, where);
             } else if (key == "sigma") {
-                if (v < 0)
+                marker.sigma_m = number(value, key, where);
+                if (marker.sigma_m < 0)
                     fail(where, value, "sigma is '" + value.Scalar() + "', expected 0 or more");
-                marker.sigma_m = v;
+            } else if (key == "label") {
+                marker.label = whole_number(value, key, where);
             } else {
                 fail(where, name,
-                     "unknown key '" + key + "' in a marker; known: id, x, y, z, sigma");
+                     "unknown key '" + key + "' in a marker; known: id, x, y, z, sigma, label");
             }
         });
     if (!id || !x || !y) fail(where, node, "a marker needs id, x and y");
@@ -160,6 +168,7 @@ MarkerMap checked_map(std::vector<Marker> markers, const std::string& where) {
         for (const double v : {m.x_m, m.y_m, m.z_m, m.sigma_m})
             if (!std::isfinite(v)) throw ConfigError(name + ": x, y, z and sigma must be finite");
         if (m.sigma_m < 0) throw ConfigError(name + ": sigma must be 0 or more");
+        if (m.label < -1) throw ConfigError(name + ": a label is 0 or more (-1 means none)");
     }
     return MarkerMap(std::move(markers));
 }
@@ -187,11 +196,13 @@ std::string to_yaml(const MarkerMap& map) {
     YAML::Emitter out;
     out.SetDoublePrecision(17);
     out << YAML::BeginSeq;
-    for (const Marker& m : map.markers())
+    for (const Marker& m : map.markers()) {
         out << YAML::Flow << YAML::BeginMap << YAML::Key << "id" << YAML::Value << m.id << YAML::Key
             << "x" << YAML::Value << m.x_m << YAML::Key << "y" << YAML::Value << m.y_m << YAML::Key
-            << "z" << YAML::Value << m.z_m << YAML::Key << "sigma" << YAML::Value << m.sigma_m
-            << YAML::EndMap;
+            << "z" << YAML::Value << m.z_m << YAML::Key << "sigma" << YAML::Value << m.sigma_m;
+        if (m.label >= 0) out << YAML::Key << "label" << YAML::Value << m.label;
+        out << YAML::EndMap;
+    }
     out << YAML::EndSeq;
     return std::string(out.c_str()) + "\n";
 }

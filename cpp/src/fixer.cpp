@@ -10,6 +10,7 @@ namespace pilotage {
 namespace {
 
 constexpr double kSearchPeriod_s = 0.09;
+constexpr double kNowhere = 1e9;  // NIS of a sighting that no marker is near
 // A restored pose is from before the robot was switched off; so many nats speak against it.
 constexpr double kRestored = 3;
 
@@ -25,12 +26,30 @@ Fixer<Scalar, N>::Fixer(const Params& params, MarkerMap map)
 }
 
 template <typename Scalar, int N>
-SightingReport Fixer<Scalar, N>::sight(Track& track, const Sample& sample) const noexcept {
+void Fixer<Scalar, N>::recognise(const Track& track, int sensor,
+                                 Associator<Scalar>& frame) const noexcept {
+    if (!track.located || !frame.any_unknown()) return;
+    frame.resolve(track.filter.state().template head<kPoseStates>(),
+                  track.filter.covariance().template topLeftCorner<kPoseStates, kPoseStates>(),
+                  map_, params_.sensors[sensor], policies_[sensor]);
+}
+
+template <typename Scalar, int N>
+SightingReport Fixer<Scalar, N>::sight(Track& track, const Sample& sample,
+                                       const Association& of) const noexcept {
     if (!track.located) return blank_report(sample, Verdict::not_initialized);
+    if (rejected(of.verdict)) {
+        const SightingReport report = blank_report(sample, of.verdict);
+        if (of.verdict == Verdict::no_match)
+            track.agreement.add(kNowhere, report.dof, policies_[sample.source].gate_nis[2]);
+        return report;
+    }
+    Sample known = sample;
+    known.payload.sighting.id = of.id;
     const Policy& policy = policies_[sample.source];
     const Pose<double> odometry = track.odometry();
     const SightingReport report =
-        fuse_sighting(track.filter, sample, map_, params_.sensors[sample.source], policy);
+        fuse_sighting(track.filter, known, map_, params_.sensors[sample.source], policy);
     if (report.verdict == Verdict::fused || report.verdict == Verdict::gate) {
         track.keep_odometry(odometry);
         track.agreement.add(report.nis, report.dof, policy.gate_nis[report.dof - 1]);
@@ -44,9 +63,9 @@ Evidence Fixer<Scalar, N>::evidence(const Track& track, const Sample& sample,
                                     const PoseSearch& search) const noexcept {
     const Sighting& sighting = sample.payload.sighting;
     const double log_likelihood =
-        track.located ? search.log_likelihood(track.pose(), track.covariance(), sighting,
-                                              sample.source)
-                      : NAN;
+        track.located
+            ? search.log_likelihood(track.pose(), track.covariance(), sighting, sample.source)
+            : NAN;
     return {track.odometry(), track.drift.position_m2, track.drift.heading_rad2,
             sighting,         sample.source,           log_likelihood};
 }
@@ -56,8 +75,7 @@ bool Fixer<Scalar, N>::doubtful(const Track& track) const noexcept {
     if (!track.confirmed && track.agreement.confirms()) return true;
     const bool sure = track.confirmed && !track.agreement.suspicious() &&
                       !track.agreement.disagrees() && track.judgement.finding == Finding::fine;
-    return !sure &&
-           seconds_between<double>(track.searched_utime, track.utime) >= kSearchPeriod_s;
+    return !sure && seconds_between<double>(track.searched_utime, track.utime) >= kSearchPeriod_s;
 }
 
 template <typename Scalar, int N>
@@ -68,8 +86,7 @@ void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int co
                 track.restored ? -kRestored : 0};
     for (int i = 0; i < count; ++i) claim.log_evidence += newest_first[i].log_likelihood;
     const Hypotheses found = search.run(newest_first, count);
-    const Hypothesis* winner = judge(track.judgement, claim, found, track.odometry(),
-                                    track.utime);
+    const Hypothesis* winner = judge(track.judgement, claim, found, track.odometry(), track.utime);
     if (winner != nullptr) {
         if (track.located) ++track.resets;
         place(track, winner->pose, winner->covariance);

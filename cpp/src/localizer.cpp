@@ -181,12 +181,21 @@ void Localizer<Scalar, N>::advance(Track& track, std::size_t from, std::size_t t
         tracker_.drive(track, rest.part(fraction));
         rest = rest.part(1 - fraction);
     };
-    for (std::size_t i = from; i < to; ++i) {
-        if (history_[i].sample.stream == Stream::gyro) continue;
-        move_to(history_[i].sample.utime);
-        correct(track, history_[i]);
-        const bool frame_ends = i + 1 == to || !same_frame(history_[i + 1].sample, history_[i].sample);
-        if (frame_ends && history_[i].seen && fixer_.doubtful(track)) search(track, i);
+    for (std::size_t i = from, frame = from, frame_end = from; i < to; ++i) {
+        Node& node = history_[i];
+        if (node.sample.stream == Stream::gyro) continue;
+        move_to(node.sample.utime);
+        if (node.sample.stream == Stream::reset) {
+            reset(track, node);
+            continue;
+        }
+        if (i >= frame_end) {
+            frame = i;
+            frame_end = recognise(track, i, to);
+        }
+        correct(track, node, frame_[i - frame]);
+        const bool frame_ends = i + 1 == frame_end;
+        if (frame_ends && node.seen && fixer_.doubtful(track)) search(track, i);
     }
     track.utime = motion.sample.utime;
     if (rest.dt_s > 0 || rest.distance_m != 0 || rest.turn_rad != 0) tracker_.drive(track, rest);
@@ -199,7 +208,7 @@ void Localizer<Scalar, N>::begin(Track& track, std::size_t from, std::size_t to)
     for (std::size_t i = from; i < to; ++i) {
         Node& node = history_[i];
         if (node.sample.stream == Stream::reset)
-            correct(track, node);
+            reset(track, node);
         else if (node.sample.stream == Stream::sighting)
             dismiss(node, Verdict::before_motion);
     }
@@ -207,15 +216,32 @@ void Localizer<Scalar, N>::begin(Track& track, std::size_t from, std::size_t to)
     settle(history_[to], Verdict::fused);
 }
 
-/// Fuses a sighting, or takes a pose given from outside.
+/// Takes a pose given from outside.
 template <typename Scalar, int N>
-void Localizer<Scalar, N>::correct(Track& track, Node& node) noexcept {
-    if (node.sample.stream == Stream::reset) {
-        fixer_.reset(track, node.sample.payload.reset);
-        return settle(node, Verdict::fused);
-    }
+void Localizer<Scalar, N>::reset(Track& track, Node& node) noexcept {
+    fixer_.reset(track, node.sample.payload.reset);
+    settle(node, Verdict::fused);
+}
+
+/// Gathers the frame of the sighting at `from` and finds its markers. \return the frame's end
+template <typename Scalar, int N>
+std::size_t Localizer<Scalar, N>::recognise(const Track& track, std::size_t from,
+                                            std::size_t to) noexcept {
+    const Sample& first = history_[from].sample;
+    frame_.begin_frame();
+    std::size_t i = from;
+    do frame_.add(history_[i].sample.payload.sighting);
+    while (++i < to && same_frame(first, history_[i].sample) && !frame_.full());
+    fixer_.recognise(track, first.source, frame_);
+    return i;
+}
+
+/// Fuses a sighting as one of the marker that was found for it; the sample itself stays as it came,
+/// so that a late one may change what is found.
+template <typename Scalar, int N>
+void Localizer<Scalar, N>::correct(Track& track, Node& node, const Association& of) noexcept {
     node.evidence = fixer_.evidence(track, node.sample, search_);
-    SightingReport report = fixer_.sight(track, node.sample);
+    SightingReport report = fixer_.sight(track, node.sample, of);
     node.seen = report.verdict != Verdict::unknown_marker;
     report.revision = node.revision++;
     listener_->on_sighting(report);

@@ -243,8 +243,7 @@ void PoseSearch::refine_best() noexcept {
         fit.pose = candidate.pose;
         const auto known = [&] {
             return std::any_of(hypotheses_, hypotheses_ + found_, [&](const Hypothesis& h) {
-                return same(h, fit.pose, kNearSquared) &&
-                       minus(fit.pose, h.pose).squaredNorm() < 1;
+                return same(h, fit.pose, kNearSquared) && minus(fit.pose, h.pose).squaredNorm() < 1;
             });
         };
         bool given_up = known();

@@ -39,12 +39,10 @@ Ekf<Scalar, N> bounded(const Ekf<Scalar, N>& filter) noexcept {
     if (!p.allFinite())
         return {filter.state(),
                 diagonal(entries<Vector<Scalar, N>>([&](int i, int) { return most(i); }))};
-    const auto shrink = entries<Vector<Scalar, N>>([&](int i, int) {
-        return p(i, i) > most(i) ? std::sqrt(most(i) / p(i, i)) : Scalar(1);
-    });
-    return {filter.state(), symmetric<Matrix<Scalar, N>>([&](int i, int j) {
-                return shrink[i] * p(i, j) * shrink[j];
-            })};
+    const auto shrink = entries<Vector<Scalar, N>>(
+        [&](int i, int) { return p(i, i) > most(i) ? std::sqrt(most(i) / p(i, i)) : Scalar(1); });
+    return {filter.state(), symmetric<Matrix<Scalar, N>>(
+                                [&](int i, int j) { return shrink[i] * p(i, j) * shrink[j]; })};
 }
 
 /// So many times the first one's variance comes with the n-th of equal errors in a row: they add up

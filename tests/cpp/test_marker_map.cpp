@@ -30,6 +30,11 @@ TEST(MarkerMapTest, IsEmptyUntilMarkersAreGiven) {
     EXPECT_EQ(MarkerMap().find(-1), nullptr);
 }
 
+TEST(MarkerMapTest, IsLabelledWhereAnyMarkerIs) {
+    EXPECT_FALSE(MarkerMap({{3, 0, 0, 0, 0}, {5, 0, 0, 0, 0}}).labelled());
+    EXPECT_TRUE(MarkerMap({{3, 0, 0, 0, 0}, {5, 0, 0, 0, 0, 0}}).labelled());
+}
+
 TEST(MarkerMapTest, ListsItsMarkersById) {
     const MarkerMap map({{9, 0, 0, 0, 0}, {1, 0, 0, 0, 0}, {4, 0, 0, 0, 0}});
     ASSERT_EQ(map.markers().size(), 3U);

@@ -2,6 +2,7 @@
 /// \file
 /// What corrects a track: sightings of markers, a pose from outside, a pose that a search found.
 
+#include "pilotage/association.hpp"
 #include "pilotage/search/pose_search.hpp"
 #include "pilotage/track.hpp"
 
@@ -15,8 +16,12 @@ class Fixer {
 
     Fixer(const Params& params, MarkerMap map);
 
-    /// Fuses a sighting, if there is a pose.
-    [[nodiscard]] SightingReport sight(Track& track, const Sample& sample) const noexcept;
+    /// Finds which markers a gathered frame of a sensor is of.
+    void recognise(const Track& track, int sensor, Associator<Scalar>& frame) const noexcept;
+
+    /// Fuses a sighting as one of the marker that was found for it, if there is a pose.
+    [[nodiscard]] SightingReport sight(Track& track, const Sample& sample,
+                                       const Association& of) const noexcept;
 
     /// A sighting just made, as a search wants it.
     /// \pre `track` is as it was before the sighting was fused

@@ -23,8 +23,8 @@ enum class Finding : std::uint8_t {
 /// What the judge thinks, and what it waits for.
 struct Judgement {
     Finding finding = Finding::fine;
-    double margin = 0;  ///< nats between the best explanation and the next
-    int held = 0;       ///< frames that the best pose has held for
+    double margin = 0;                  ///< nats between the best explanation and the next
+    int held = 0;                       ///< frames that the best pose has held for
     std::int64_t utime = 0;             ///< of the last of them
     Pose<double> leader = {0, 0, 0};    ///< that pose then, frame map
     Pose<double> odometry = {0, 0, 0};  ///< of the robot then
@@ -66,8 +66,7 @@ inline constexpr std::int64_t kOtherTime_us = 1'000'000;
 /// \param odometry pose of the robot by dead reckoning alone
 /// \return the hypothesis that wins, or nullptr as long as none does
 [[nodiscard]] inline const Hypothesis* judge(Judgement& j, const Claim& claim,
-                                             const Hypotheses& found,
-                                             const Pose<double>& odometry,
+                                             const Hypotheses& found, const Pose<double>& odometry,
                                              std::int64_t utime) noexcept {
     using namespace judging;
     // By how much each explains the sightings better than the estimate does, or than chance. An
@@ -105,8 +104,8 @@ inline constexpr std::int64_t kOtherTime_us = 1'000'000;
     // Where dead reckoning has brought the leader of the last frame.
     const Frame then(j.odometry);
     const Pose<double> way = then.into(odometry);
-    const bool leads = held > 0 && same(best->pose, Frame(j.leader).out_of(way),
-                                        2 * best->covariance);
+    const bool leads =
+        held > 0 && same(best->pose, Frame(j.leader).out_of(way), 2 * best->covariance);
     const bool another = std::hypot(way[kX], way[kY]) > kOtherPlace_m ||
                          std::abs(way[kHeading]) > kOtherPlace_rad ||
                          utime - j.utime >= kOtherTime_us;

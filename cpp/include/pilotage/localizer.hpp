@@ -110,7 +110,10 @@ class Localizer {
     void recompute(std::size_t place) noexcept;
     void advance(Track& track, std::size_t from, std::size_t to) noexcept;
     void begin(Track& track, std::size_t from, std::size_t to) noexcept;
-    void correct(Track& track, Node& node) noexcept;
+    [[nodiscard]] std::size_t recognise(const Track& track, std::size_t from,
+                                        std::size_t to) noexcept;
+    void correct(Track& track, Node& node, const Association& of) noexcept;
+    void reset(Track& track, Node& node) noexcept;
     void search(Track& track, std::size_t newest) noexcept;
     void dismiss(Node& node, Verdict verdict) noexcept;
     void settle(Node& node, Verdict verdict) noexcept;
@@ -125,7 +128,8 @@ class Localizer {
     PoseSearch search_;
     Listener* listener_;
     History<Node> history_;
-    Track base_;  // what came before the first sample of the history
+    Associator<Scalar> frame_;
+    Track base_;     // what came before the first sample of the history
     Memory memory_;  // of sightings older than that
 };
 

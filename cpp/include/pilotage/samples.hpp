@@ -31,6 +31,8 @@ struct BodyVelocity {
     double v_m_s, omega_rad_s;
 };
 
+inline constexpr std::int32_t kUnknownId = -1;  ///< of a sighting: its marker is to be found
+
 /// One marker in one frame; NaN values were not measured, NaN sigmas are as configured.
 /// Components in the order bearing [rad], elevation [rad], range [m].
 struct Sighting {
@@ -90,9 +92,10 @@ struct Sample {
     }
 };
 
-/// Sightings that one sensor made at one moment; in order they stand side by side.
+/// Whether two sightings were seen at once by one sensor.
 [[nodiscard]] inline bool same_frame(const Sample& a, const Sample& b) noexcept {
-    return a.utime == b.utime && a.stream == b.stream && a.seq == b.seq && a.source == b.source;
+    return a.utime == b.utime && a.stream == Stream::sighting && b.stream == Stream::sighting &&
+           a.seq == b.seq && a.source == b.source;
 }
 
 }  // namespace pilotage

@@ -13,7 +13,7 @@ enum class Status : std::int8_t {
     ok = 2,              ///< the error is inside the covariance, and that is below the alert limit
     dead_reckoning = 3,  ///< no sighting for a while, or less sure than the alert limit asks
     ambiguous = 4,       ///< the sightings fit several poses alike
-    lost = 5,  ///< not to be used: the sightings contradict it, or its error has no bound
+    lost = 5,            ///< not to be used: the sightings contradict it, or its error has no bound
 };
 
 /// Why the status is not ok.

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "pilotage/association.hpp"
 #include "pilotage/checkpoint.hpp"
 #include "pilotage/dead_reckoning.hpp"
 #include "pilotage/filter/agreement.hpp"
@@ -42,8 +43,8 @@ struct Track {
     Increment<Scalar> motion;           ///< of the last motion sample that took time
     Vector<Scalar, 2> driven = {0, 0};  ///< (distance [m], turn [rad]) of the last motion sample
     std::int32_t resets = 0;
-    bool started = false;   ///< a motion sample has come
-    bool located = false;   ///< the pose is an estimate; else the filter only adds up the motion
+    bool started = false;    ///< a motion sample has come
+    bool located = false;    ///< the pose is an estimate; else the filter only adds up the motion
     bool confirmed = false;  ///< sightings agree with it, and with no other pose
     bool restored = false;   ///< begun from a checkpoint
 

@@ -24,8 +24,10 @@ enum class Verdict : std::uint8_t {
     too_close,        ///< the marker has no usable direction
     gate,             ///< NIS above the gate
     numeric,          ///< the update would not have been finite and positive semi-definite
+    no_match,         ///< without an id, and no marker of the map explains it
+    ambiguous_match,  ///< without an id, and of two markers that explain it nearly as well
 };
-inline constexpr int kVerdicts = static_cast<int>(Verdict::numeric) + 1;
+inline constexpr int kVerdicts = static_cast<int>(Verdict::ambiguous_match) + 1;
 
 [[nodiscard]] constexpr bool rejected(Verdict v) noexcept {
     return v > Verdict::fused;
@@ -40,10 +42,10 @@ inline constexpr int kVerdicts = static_cast<int>(Verdict::numeric) + 1;
 /// Word for reports, statistics and logs.
 [[nodiscard]] constexpr const char* name(Verdict v) noexcept {
     constexpr const char* names[kVerdicts] = {
-        "pending",         "fused",         "bad_value", "implausible",
-        "not_initialized", "before_motion", "late",      "clock",
-        "not_allowed",     "duplicate",     "no_motion", "counter_reset",
-        "unknown_marker",  "too_close",     "gate",      "numeric"};
+        "pending",       "fused",         "bad_value",      "implausible", "not_initialized",
+        "before_motion", "late",          "clock",          "not_allowed", "duplicate",
+        "no_motion",     "counter_reset", "unknown_marker", "too_close",   "gate",
+        "numeric",       "no_match",      "ambiguous_match"};
     return names[static_cast<int>(v)];
 }
 

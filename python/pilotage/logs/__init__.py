@@ -5,7 +5,7 @@ conventions, and adds nothing: what it cannot convert it leaves out and says so 
 Sensor models, noise and lags belong to the configuration, not to the reader.
 """
 
-from .log import Log, write_lcmlog
+from .log import Log, without_ids, write_lcmlog
 from .reading import read
 
-__all__ = ["Log", "read", "write_lcmlog"]
+__all__ = ["Log", "read", "without_ids", "write_lcmlog"]

@@ -1,12 +1,13 @@
 """What every reader returns."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from numpy.typing import NDArray
 
 from .. import MarkerMap, Recording
+from ..lcmtypes import marker_frame_t
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,24 @@ class Log:
     truth: NDArray[Any] | None
     map: MarkerMap | None
     notes: tuple[str, ...] = ()
+
+
+def without_ids(log: Log) -> Log:
+    """Return the log as of a sensor that knows no ids: each sighting has id -1.
+
+    It shows what association costs where the truth of it is known.
+    """
+    fingerprint = marker_frame_t().encode()[:8]
+    recording = Recording()
+    for i in range(len(log.recording)):
+        received, channel, data = log.recording[i]
+        if data[:8] == fingerprint:
+            frame = marker_frame_t.decode(data)
+            for sighting in frame.sightings:
+                sighting.id = -1
+            data = frame.encode()
+        recording.add(received, channel, data)
+    return replace(log, recording=recording)
 
 
 def write_lcmlog(log: Log, path: str | Path) -> None:

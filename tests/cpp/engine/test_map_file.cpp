@@ -46,6 +46,19 @@ TEST(MapFileTest, AnIdIsAWholeNumberThatFits) {
     EXPECT_EQ(said("- {id: 2147483647, x: 0, y: 0}\n"), "");
 }
 
+TEST(MapFileTest, ALabelIsAWholeNumberThatSurvivesSavingAndLoading) {
+    EXPECT_EQ(said("- {id: 1, x: 0, y: 0, label: -1}\n"),
+              "map.yaml:1: label is '-1', expected a whole number of 0 or more");
+    EXPECT_EQ(said("- {id: 1, x: 0, y: 0, label: red}\n"),
+              "map.yaml:1: label is 'red', expected a finite number");
+    const Folder folder;
+    const std::string path = folder.path("map.yaml");
+    save_map(MarkerMap({{1, 0, 0, 0, 0, 7}, {2, 1, 0, 0, 0}}), path);
+    const MarkerMap map = load_map(path);
+    EXPECT_EQ(map.markers()[0].label, 7);
+    EXPECT_EQ(map.markers()[1].label, -1);
+}
+
 TEST(MapFileTest, ACoordinateIsAFiniteNumber) {
     for (const char* bad : {".nan", ".inf", "-.inf", "here", "''", "1 2", "1e999"})
         EXPECT_EQ(said(std::string("- {id: 1, x: 1, y: 2}\n- {id: 2, x: ") + bad + ", y: 0}\n")
@@ -61,7 +74,7 @@ TEST(MapFileTest, AMarkerHasAnIdAndAPlaceAndNothingUnknown) {
               "map.yaml:2: a marker needs id, x and y");
     EXPECT_EQ(said("- {id: 1, y: 3}\n"), "map.yaml:1: a marker needs id, x and y");
     EXPECT_EQ(said("- {id: 1, x: 2, y: 3, height: 4}\n"),
-              "map.yaml:1: unknown key 'height' in a marker; known: id, x, y, z, sigma");
+              "map.yaml:1: unknown key 'height' in a marker; known: id, x, y, z, sigma, label");
     EXPECT_EQ(said("- {id: 1, x: 2, y: 3, sigma: -0.1}\n"),
               "map.yaml:1: sigma is '-0.1', expected 0 or more");
     EXPECT_EQ(said("- 5\n").substr(0, 35), "map.yaml:1: a marker is written {id");
@@ -81,6 +94,7 @@ TEST(MapFileTest, AMapMadeInMemoryIsCheckedAsWell) {
                               Marker{3, 0, 0, HUGE_VAL, 0}, Marker{3, 0, 0, 0, nan}})
         EXPECT_EQ(error({bad}), "map: marker 3: x, y, z and sigma must be finite");
     EXPECT_EQ(error({{3, 0, 0, 0, -1}}), "map: marker 3: sigma must be 0 or more");
+    EXPECT_EQ(error({{3, 0, 0, 0, 0, -2}}), "map: marker 3: a label is 0 or more (-1 means none)");
 }
 
 TEST(MapFileTest, AFileThatCannotBeReadOrWrittenIsNamed) {

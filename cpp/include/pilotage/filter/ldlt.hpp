@@ -28,8 +28,8 @@ class Ldlt {
             inverse_[k] = positive ? 1 / pivot : Scalar(0);
             positive_ = positive_ && positive;
             // A pivot may be a rounding below zero, a variance may not.
-            semidefinite_ = semidefinite_ && (positive || (pivot >= -slack && a(k, k) >= 0 &&
-                                                           std::isfinite(slack)));
+            semidefinite_ = semidefinite_ &&
+                            (positive || (pivot >= -slack && a(k, k) >= 0 && std::isfinite(slack)));
             // What has no variance has no covariance either.
             if (!positive)
                 each<M>([&](int j) {
@@ -51,6 +51,13 @@ class Ldlt {
 
     /// No diagonal entry is negative, no pivot below minus the tolerance; false for NaN.
     [[nodiscard]] bool semidefinite() const noexcept { return semidefinite_; }
+
+    /// Of A, where that is positive definite.
+    [[nodiscard]] Scalar determinant() const noexcept {
+        Scalar product = 1;
+        each<M>([&](int i) { product *= inverse_[i]; });
+        return 1 / product;
+    }
 
     /// x with A x = b.
     [[nodiscard]] Vector<Scalar, M> solve(const Vector<Scalar, M>& b) const noexcept {
@@ -83,13 +90,6 @@ class Ldlt {
         Scalar total = 0;
         each<M>([&](int i) { total += x[i] * x[i] * inverse_[i]; });
         return total;
-    }
-
-    /// Of A.
-    [[nodiscard]] Scalar determinant() const noexcept {
-        Scalar product = 1;
-        each<M>([&](int i) { product *= inverse_[i] == 0 ? Scalar(0) : 1 / inverse_[i]; });
-        return product;
     }
 
     /// A^-1

@@ -14,11 +14,19 @@ enum class Fusion : unsigned char {
     student_t,  ///< an unlikely innovation is fused with a smaller weight, none is rejected
 };
 
-/// Probability that a chi-square variable of 1, 2 or 3 degrees of freedom exceeds `x`.
+/// Probability that a chi-square variable exceeds `x` (Abramowitz and Stegun 26.4.4 and 26.4.5).
+/// \param dof degrees of freedom, 1 or more
 [[nodiscard]] inline double chi_square_tail(double x, int dof) noexcept {
-    if (dof == 2) return std::exp(-x / 2);
-    const double one = std::erfc(std::sqrt(x / 2));
-    return dof == 1 ? one : one + std::sqrt(2 * x / 3.14159265358979323846) * std::exp(-x / 2);
+    const bool even = dof % 2 == 0;
+    double total = even ? 0 : std::erfc(std::sqrt(x / 2));
+    if (dof == 1) return total;
+    double term = std::exp(-x / 2);
+    if (!even) term *= std::sqrt(2 * x / 3.14159265358979323846);
+    for (int d = even ? 2 : 3; d <= dof; d += 2) {
+        total += term;
+        term *= x / d;
+    }
+    return total;
 }
 
 /// The x that a chi-square variable of 1, 2 or 3 degrees of freedom exceeds with probability
@@ -55,6 +63,14 @@ struct Policy {
         if (fusion != Fusion::student_t) return Scalar(1);
         const auto nu = Scalar(student_t_dof);
         return std::min(Scalar(1), (nu + Scalar(components)) / (nu + nis));
+    }
+
+    /// Whether the summed NIS of independent innovations, of so many components together, is what
+    /// the gate would reject of one.
+    [[nodiscard]] bool beyond_gate(double nis, int components) const noexcept {
+        if (components <= 3) return !(nis <= gate_nis[components - 1]);
+        if (nis <= gate_nis[2]) return false;
+        return !(chi_square_tail(nis, components) >= chi_square_tail(gate_nis[1], 2));
     }
 
     template <typename Scalar>

@@ -33,6 +33,7 @@ struct View {
     const Sighting* sighting = nullptr;
     const MarkerSensorParams* sensor = nullptr;
     const Marker* marker = nullptr;  ///< the only one that it can be of; nullptr: several can be
+    std::int32_t label = -1;         ///< that it must have, -1: any
     int measured = 0;                ///< bit ComponentIndex
     double variance[3] = {};         ///< of the sensor's noise alone
     Pose<double> place{0, 0, 0};     ///< of the sensor at the sighting, in the robot's frame of now
@@ -47,10 +48,9 @@ struct View {
 
     [[nodiscard]] bool has(ComponentIndex c) const noexcept { return measured >> c & 1; }
 
-    /// Whether the sighting can be of that marker: the id or, where it has none, any.
-    /// (A label that markers share is to be compared here.)
+    /// Whether the sighting can be of that marker: by its id or, where it has none, its label.
     [[nodiscard]] bool may_be_of(const Marker& candidate) const noexcept {
-        return marker == nullptr || marker == &candidate;
+        return marker != nullptr ? marker == &candidate : label < 0 || candidate.label == label;
     }
 };
 
@@ -64,6 +64,7 @@ struct View {
     view.sighting = &sighting;
     view.sensor = &sensor;
     view.marker = sighting.id < 0 ? nullptr : map.find(sighting.id);
+    view.label = map.wanted_label(sighting.label);
     int candidates = 0;
     for (const Marker& marker : map.markers()) candidates += view.may_be_of(marker);
     if (candidates == 0 || (sighting.id >= 0 && view.marker == nullptr)) return view;

@@ -1,0 +1,118 @@
+#pragma once
+/// \file
+/// A sighting held against a marker of the map: what was measured less what the pose predicts, with
+/// its Jacobian and its noise. The update and the association both begin with it.
+
+#include <cmath>
+
+#include "pilotage/marker_map.hpp"
+#include "pilotage/params.hpp"
+#include "pilotage/samples.hpp"
+#include "pilotage/sensing/bearing.hpp"
+#include "pilotage/sensing/elevation.hpp"
+#include "pilotage/sensing/marker_sighting.hpp"
+#include "pilotage/sensing/mounted.hpp"
+#include "pilotage/sensing/range.hpp"
+
+namespace pilotage {
+
+/// The components that a sighting has: bit ComponentIndex is set.
+[[nodiscard]] inline int measured_components(const Sighting& sighting) noexcept {
+    int bits = 0;
+    each<3>([&](int c) { bits |= std::isnan(sighting.value[c]) ? 0 : 1 << c; });
+    return bits;
+}
+
+/// Variance of one component: the sighting's own sigma where it states one, and for ranges what
+/// grows with them.
+template <typename Scalar>
+[[nodiscard]] Scalar sensor_variance(const Sighting& sighting, ComponentIndex component,
+                                     const MarkerSensorParams& sensor, Scalar predicted) noexcept {
+    const double configured[] = {sensor.sigma_bearing_rad, sensor.sigma_elevation_rad,
+                                 sensor.sigma_range_m};
+    const double stated = sighting.sigma[component];
+    const auto sigma = Scalar(std::isnan(stated) ? configured[component] : stated);
+    if (component != kRange) return sigma * sigma;
+    const Scalar growth = Scalar(sensor.sigma_range_per_m) * predicted;
+    return sigma * sigma + growth * growth;
+}
+
+/// The innovation of M components and what is needed to judge it.
+template <typename Scalar, int M>
+struct HeldSighting {
+    Vector<Scalar, M> innovation;
+    Matrix<Scalar, M, kPoseStates> jacobian;
+    Vector<Scalar, M> variances;  ///< of the sensor
+    Scalar survey_variance;       ///< of the marker's x and of its y [m^2]
+    bool defined;                 ///< else the marker is too close, and nothing else means anything
+
+    /// R. The survey's uncertainty reaches the measurement as the sensor's position does, with the
+    /// other sign.
+    [[nodiscard]] Matrix<Scalar, M> noise() const noexcept {
+        return symmetric<Matrix<Scalar, M>>([&](int i, int j) {
+            const Scalar survey = survey_variance * (jacobian(i, kX) * jacobian(j, kX) +
+                                                     jacobian(i, kY) * jacobian(j, kY));
+            return i == j ? survey + variances[i] : survey;
+        });
+    }
+};
+
+/// Linearised at a pose of the robot.
+template <typename Scalar, typename... Components>
+[[nodiscard, gnu::always_inline]] inline HeldSighting<Scalar, sizeof...(Components)> hold_against(
+    const Pose<Scalar>& robot, const Marker& marker, const Sighting& sighting,
+    const MarkerSensorParams& sensor, const Components&... components) noexcept {
+    constexpr int M = sizeof...(Components);
+    constexpr ComponentIndex which[] = {Components::kIndex...};
+    using Model = Mounted<MarkerSighting<Scalar, Components...>, Scalar>;
+    const Model model{
+        {Vector<Scalar, 3>(Scalar(marker.x_m), Scalar(marker.y_m), Scalar(marker.z_m - sensor.z_m)),
+         {components...},
+         Scalar(sensor.min_distance_m)},
+        {Scalar(sensor.x_m), Scalar(sensor.y_m), Scalar(sensor.yaw_rad)}};
+    const auto h = model.linearize(robot);
+    const auto z =
+        entries<Vector<Scalar, M>>([&](int i, int) { return Scalar(sighting.value[which[i]]); });
+    HeldSighting<Scalar, M> held;
+    held.defined = h.defined;
+    if (!h.defined) return held;
+    held.innovation = model.minus(z, h.value);
+    held.jacobian = h.jacobian;
+    held.variances = entries<Vector<Scalar, M>>(
+        [&](int i, int) { return sensor_variance(sighting, which[i], sensor, h.value[i]); });
+    held.survey_variance = Scalar(marker.sigma_m) * Scalar(marker.sigma_m);
+    return held;
+}
+
+/// Calls visit(component, ...) with the models of the components that a sighting has. \return
+/// whether it has any
+template <typename Scalar, typename Visit>
+[[gnu::always_inline]] inline bool with_components(const Sighting& sighting,
+                                                   const MarkerSensorParams& sensor,
+                                                   const Visit& visit) noexcept {
+    const Bearing<Scalar> bearing{};
+    const Elevation<Scalar> elevation{};
+    const auto range = [&]() -> Range<Scalar> {
+        return {Scalar(sensor.range_scale), Scalar(sensor.range_offset_m)};
+    };
+    switch (measured_components(sighting)) {
+        case 0b001:
+            return visit(bearing), true;
+        case 0b010:
+            return visit(elevation), true;
+        case 0b100:
+            return visit(range()), true;
+        case 0b011:
+            return visit(bearing, elevation), true;
+        case 0b101:
+            return visit(bearing, range()), true;
+        case 0b110:
+            return visit(elevation, range()), true;
+        case 0b111:
+            return visit(bearing, elevation, range()), true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace pilotage
