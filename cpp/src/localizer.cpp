@@ -240,6 +240,7 @@ void Localizer<Scalar, N>::correct(Track& track, Node& node, const Association& 
     Sample sample = node.sample;
     sample.payload.sighting.id = of.id;
     SightingReport report = tracker_.sight(track, sample);
+    report.given_id = node.sample.payload.sighting.id;
     report.revision = node.revision++;
     listener_->on_sighting(report);
     settle(node, report.verdict);

@@ -23,6 +23,7 @@ namespace pilotage {
             sample.seq,
             0,
             sample.payload.sighting.id,
+            sample.payload.sighting.id,
             sample.index,
             sample.source,
             verdict,
