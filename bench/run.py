@@ -145,7 +145,7 @@ def rows(build: Path) -> Iterator[Row]:
     association = numbers(output_of(build / "bench/bench_association"))
     for sightings in ("one", "two"):
         title = f"a frame of {sightings} without ids, ten markers"
-        yield Row(title, association[f"{sightings}_ns"], "ns", "≤ 1,500")
+        yield Row(title, association[f"{sightings}_ns"], "ns", "≤ 1500")
     rate = engine(build)["messages_per_s"] / million
     yield Row("engine on an LCM log file", rate, "million messages/s", "≥ 1.5")
     if batch := script("batch.py"):

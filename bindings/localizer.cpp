@@ -1,4 +1,4 @@
-#include "pilotage/localizer.hpp"
+#include "pilotage/any_localizer.hpp"
 
 #include <pybind11/stl.h>
 
@@ -41,9 +41,7 @@ class PyLocalizer {
    public:
     explicit PyLocalizer(const Config& config)
         : encoders_(config.params.motion.source == MotionSource::encoders),
-          localizer_(config.params.calibrates()
-                         ? Any(std::in_place_index<1>, config.params, config.map, silence_)
-                         : Any(std::in_place_index<0>, config.params, config.map, silence_)) {}
+          localizer_(make_localizer(config.params, config.map, silence_)) {}
     PyLocalizer(const PyLocalizer&) = delete;
     PyLocalizer& operator=(const PyLocalizer&) = delete;
 
@@ -67,11 +65,9 @@ class PyLocalizer {
     }
 
    private:
-    using Any = std::variant<Localizer<double, kPoseStates>, Localizer<double, kCalibratedStates>>;
-
-    template <typename AnyLocalizer>
-    void feed(AnyLocalizer& localizer, const Streams& s, py::ssize_t n, py::ssize_t g,
-              py::ssize_t k, int sensor, std::vector<Run::PoseRow>& rows) const {
+    template <typename Localizer>
+    void feed(Localizer& localizer, const Streams& s, py::ssize_t n, py::ssize_t g, py::ssize_t k,
+              int sensor, std::vector<Run::PoseRow>& rows) const {
         const std::int64_t *tm = s.motion_utime.data(), *tg = s.gyro_utime.data(),
                            *ts = s.sighting_utime.data();
         const double *motion = s.motion.data(), *rate = s.gyro_rate.data(),
@@ -103,7 +99,7 @@ class PyLocalizer {
 
     bool encoders_;
     Silence silence_;
-    Any localizer_;
+    AnyLocalizer localizer_;
 };
 
 }  // namespace

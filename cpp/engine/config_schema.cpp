@@ -230,6 +230,11 @@ std::vector<Field> fields(Config& c) {
     add_calibration(list, "gyro_bias", p.gyro_bias, Range::any);
     add_calibration(list, "distance_scale", p.distance_scale, Range::positive);
     add_calibration(list, "rotation_scale", p.rotation_scale, Range::positive);
+    add("tilt.pitch_sigma_rad", &p.tilt.pitch_sigma_rad, Range::not_negative,
+        "how far the body pitches against the ground; for elevations, 0: not at all");
+    add("tilt.roll_sigma_rad", &p.tilt.roll_sigma_rad, Range::not_negative, "likewise, roll");
+    add("tilt.tau_s", &p.tilt.tau_s, Range::not_negative,
+        "for how long a tilt lasts; 0: new in every frame");
     for (int i = 0; i < p.sensor_count; ++i)
         add_sensor(list, c.sensor_names[static_cast<std::size_t>(i)],
                    c.sensor_inputs[static_cast<std::size_t>(i)],

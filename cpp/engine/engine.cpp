@@ -33,21 +33,12 @@ std::int64_t within_time(std::int64_t received) noexcept {
     return std::clamp(received, -limit, limit);
 }
 
-using AnyLocalizer =
-    std::variant<Localizer<double, kPoseStates>, Localizer<double, kCalibratedStates>>;
-
-AnyLocalizer make_localizer(const Config& config, Listener& listener) {
-    if (config.params.calibrates())
-        return AnyLocalizer(std::in_place_index<1>, config.params, config.map, listener);
-    return AnyLocalizer(std::in_place_index<0>, config.params, config.map, listener);
-}
-
 }  // namespace
 
 Engine::Engine(Config config, EngineOutput& output)
     : config_(std::move(config)),
       output_(&output),
-      localizer_(make_localizer(config_, *this)),
+      localizer_(make_localizer(config_.params, config_.map, *this)),
       pose_output_(config_.params.motion.slip_angle_rad, config_.output.jump_m,
                    config_.output.jump_rad),
       publisher_(config_, output) {

@@ -17,7 +17,7 @@
 #include "engine_output.hpp"
 #include "input.hpp"
 #include "journal.hpp"
-#include "pilotage/localizer.hpp"
+#include "pilotage/any_localizer.hpp"
 #include "pose_output.hpp"
 #include "publisher.hpp"
 
@@ -89,7 +89,7 @@ class Engine final : private Listener {
 
     Config config_;
     EngineOutput* output_;
-    std::variant<Localizer<double, kPoseStates>, Localizer<double, kCalibratedStates>> localizer_;
+    AnyLocalizer localizer_;
     PoseOutput pose_output_;
     Publisher publisher_;
     Journal journal_;

@@ -87,8 +87,8 @@ std::vector<SightingReport> Run::final_reports() const {
         at;
     std::vector<SightingReport> rows;
     for (const SightingReport& report : reports_) {
-        const auto key =
-            std::make_tuple(report.utime, report.sensor, report.frame_seq, report.index, report.id);
+        const auto key = std::make_tuple(report.utime, report.sensor, report.frame_seq,
+                                         report.index, report.given_id);
         if (report.revision > 0) {
             rows[at.at(key)] = report;
             continue;

@@ -54,6 +54,7 @@ Assessment assess(const Track<Scalar, N>& track, const Params& params, double si
 
 template Assessment assess(const Track<double, kPoseStates>&, const Params&, double) noexcept;
 template Assessment assess(const Track<double, kCalibratedStates>&, const Params&, double) noexcept;
+template Assessment assess(const Track<double, kTiltedStates>&, const Params&, double) noexcept;
 template Assessment assess(const Track<float, kPoseStates>&, const Params&, double) noexcept;
 template Assessment assess(const Track<float, kCalibratedStates>&, const Params&, double) noexcept;
 

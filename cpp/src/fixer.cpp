@@ -44,6 +44,11 @@ SightingReport Fixer<Scalar, N>::sight(Track& track, const Sample& sample,
             track.agreement.add(kNowhere, report.dof, policies_[sample.source].gate_nis[2]);
         return report;
     }
+    if constexpr (N == kTiltedStates) {
+        settle_tilt(track.filter, seconds_between<Scalar>(track.tilt_utime, sample.utime),
+                    params_.tilt);
+        track.tilt_utime = sample.utime;
+    }
     Sample known = sample;
     known.payload.sighting.id = of.id;
     const Policy& policy = policies_[sample.source];
@@ -127,6 +132,7 @@ void Fixer<Scalar, N>::place(Track& track, const Pose<double>& pose,
 
 template class Fixer<double, kPoseStates>;
 template class Fixer<double, kCalibratedStates>;
+template class Fixer<double, kTiltedStates>;
 template class Fixer<float, kPoseStates>;
 template class Fixer<float, kCalibratedStates>;
 

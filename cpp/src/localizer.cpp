@@ -243,6 +243,7 @@ void Localizer<Scalar, N>::correct(Track& track, Node& node, const Association& 
     node.evidence = fixer_.evidence(track, node.sample, search_);
     SightingReport report = fixer_.sight(track, node.sample, of);
     node.seen = report.verdict != Verdict::unknown_marker;
+    report.given_id = node.sample.payload.sighting.id;
     report.revision = node.revision++;
     listener_->on_sighting(report);
     settle(node, report.verdict);
@@ -336,6 +337,7 @@ Estimate Localizer<Scalar, N>::estimate(std::int64_t utime) const noexcept {
 
 template class Localizer<double, kPoseStates>;
 template class Localizer<double, kCalibratedStates>;
+template class Localizer<double, kTiltedStates>;
 template class Localizer<float, kPoseStates>;
 template class Localizer<float, kCalibratedStates>;
 

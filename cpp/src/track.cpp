@@ -82,9 +82,12 @@ Checkpoint Tracker<Scalar, N>::checkpoint(const Track& track) const noexcept {
     Checkpoint c;
     c.utime = track.utime;
     c.ticks = track.ticks.last();
-    c.states = N;
-    c.state.template head<N>() = track.filter.state().template cast<double>();
-    c.covariance.template topLeftCorner<N, N>() = track.filter.covariance().template cast<double>();
+    constexpr int kept = std::min(N, kCalibratedStates);  // a tilt does not last
+    c.states = kept;
+    c.state.template head<kept>() =
+        track.filter.state().template head<kept>().template cast<double>();
+    c.covariance.template topLeftCorner<kept, kept>() =
+        track.filter.covariance().template topLeftCorner<kept, kept>().template cast<double>();
     return c;
 }
 
@@ -95,9 +98,15 @@ bool Tracker<Scalar, N>::restore(const Checkpoint& from, Track& track) const noe
         p.cwiseAbs().maxCoeff() > kUnsurest || !(p.isApprox(p.transpose())) || !is_covariance(p))
         return false;
     track = start(from.state.template head<3>(), p.template topLeftCorner<3, 3>());
-    if (from.states == N)
-        track.filter = Ekf<Scalar, N>(from.state.template head<N>().template cast<Scalar>(),
-                                      p.template topLeftCorner<N, N>().template cast<Scalar>());
+    constexpr int kept = std::min(N, kCalibratedStates);
+    if (from.states == kept) {
+        Vector<Scalar, N> x = track.filter.state();
+        Matrix<Scalar, N> full = track.filter.covariance();
+        x.template head<kept>() = from.state.template head<kept>().template cast<Scalar>();
+        full.template topLeftCorner<kept, kept>() =
+            p.template topLeftCorner<kept, kept>().template cast<Scalar>();
+        track.filter = {x, full};
+    }
     track.ticks.start(from.ticks);
     track.restored = true;
     return true;
@@ -262,7 +271,7 @@ template <typename Scalar, int N>
 RotationTolerance Tracker<Scalar, N>::tolerance(const Track& track) const noexcept {
     RotationTolerance t;
     t.gyro_variance_per_s = square(params_.noise.gyro_rad_per_sqrt_s);
-    if constexpr (N == kCalibratedStates)
+    if constexpr (N >= kCalibratedStates)
         t.gyro_bias_variance = double(track.filter.covariance()(kGyroBias, kGyroBias));
     if (params_.motion.source == MotionSource::encoders) t.tick_rad = tick_rad_;
     return t;
@@ -270,14 +279,14 @@ RotationTolerance Tracker<Scalar, N>::tolerance(const Track& track) const noexce
 
 template <typename Scalar, int N>
 double Tracker<Scalar, N>::gyro_bias(const Track& track) const noexcept {
-    if constexpr (N == kCalibratedStates) return double(track.filter.state()[kGyroBias]);
+    if constexpr (N >= kCalibratedStates) return double(track.filter.state()[kGyroBias]);
     return params_.gyro_bias.initial;
 }
 
 /// Zero-rotation update: what the gyro told of a robot that stood is its bias.
 template <typename Scalar, int N>
 void Tracker<Scalar, N>::learn_bias(Track& track) const noexcept {
-    if constexpr (N == kCalibratedStates) {
+    if constexpr (N >= kCalibratedStates) {
         const MotionCheck::Window& window = track.check.window();
         Vector<Scalar, 1> innovation, variance;
         innovation << Scalar(window.gyro_turn_rad / window.duration_s);
@@ -304,6 +313,7 @@ Track<Scalar, N> Tracker<Scalar, N>::predicted(Track track, std::int64_t utime) 
 
 template class Tracker<double, kPoseStates>;
 template class Tracker<double, kCalibratedStates>;
+template class Tracker<double, kTiltedStates>;
 template class Tracker<float, kPoseStates>;
 template class Tracker<float, kCalibratedStates>;
 

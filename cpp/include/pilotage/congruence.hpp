@@ -24,6 +24,7 @@ struct HeadingShear {
 };
 
 /// A of a planar motion whose input is corrected by three calibration states: [shear C; 0 I].
+/// Further states stay as they are.
 template <typename Scalar>
 struct CalibratedTransition {
     HeadingShear<Scalar> shear;
@@ -72,11 +73,11 @@ template <typename Scalar>
     return result;
 }
 
-template <typename Scalar>
-[[nodiscard]] Matrix<Scalar, 6> congruence(const CalibratedTransition<Scalar>& a,
-                                           const Matrix<Scalar, 6>& p) noexcept {
+template <typename Scalar, int N>
+[[nodiscard]] Matrix<Scalar, N> congruence(const CalibratedTransition<Scalar>& a,
+                                           const Matrix<Scalar, N>& p) noexcept {
     const Matrix<Scalar, 3>& c = a.by_calibration;
-    Matrix<Scalar, 6> result;
+    Matrix<Scalar, N> result;
     fill_lower(result, [&](int i, int j) { return p(i, j); });
     shear_pose(a.shear, result);
     // What calibration brings: P_cp += P_cc C', and P_pp += C P_cp + (C P_cp)' with half of that
@@ -90,6 +91,11 @@ template <typename Scalar>
         return row_by_column(c, i, cross, j) + row_by_column(c, j, cross, i);
     });
     each<3>([&](int j) { each<3>([&](int i) { result(3 + i, j) = cross(i, j) + half(i, j); }); });
+    each<N - kCalibratedStates>([&](int i) {
+        const int row = kCalibratedStates + i;
+        const auto by = [&](int, int k) { return p(row, kPoseStates + k); };
+        each<3>([&](int j) { result(row, j) += row_by_row(by, 0, c, j); });
+    });
     return result;
 }
 

@@ -21,7 +21,7 @@ template <typename Scalar, int N>
     x.template head<3>() = pose;
     x[kHeading] = wrap(x[kHeading]);
     p.template topLeftCorner<3, 3>() = pose_covariance;
-    if constexpr (N == kCalibratedStates) {
+    if constexpr (N >= kCalibratedStates) {
         int i = kGyroBias;
         for (const CalibrationParams* c :
              {&params.gyro_bias, &params.distance_scale, &params.rotation_scale}) {
@@ -29,6 +29,11 @@ template <typename Scalar, int N>
             p(i, i) = Scalar(c->sigma * c->sigma);
             ++i;
         }
+    }
+    if constexpr (N == kTiltedStates) {
+        x[kPitch] = x[kRoll] = 0;
+        p(kPitch, kPitch) = Scalar(params.tilt.pitch_sigma_rad * params.tilt.pitch_sigma_rad);
+        p(kRoll, kRoll) = Scalar(params.tilt.roll_sigma_rad * params.tilt.roll_sigma_rad);
     }
     return Ekf<Scalar, N>(x, p);
 }
@@ -41,7 +46,7 @@ template <typename Scalar, int N>
                                                   const Params& params) noexcept {
     Vector<Scalar, 3> c(Scalar(params.gyro_bias.initial), Scalar(params.distance_scale.initial),
                         Scalar(params.rotation_scale.initial));
-    if constexpr (N == kCalibratedStates) c = x.template tail<3>();
+    if constexpr (N >= kCalibratedStates) c = x.template segment<3>(kGyroBias);
     return {c[1] * u.distance_m, c[2] * (u.turn_rad - c[0] * u.dt_s * u.gyro_share)};
 }
 
@@ -58,6 +63,21 @@ void dead_reckon(Ekf<Scalar, kCalibratedStates>& filter, const Increment<Scalar>
     Vector<Scalar, 6> q;
     q << pose_process_noise(u, params.noise), calibration_process_noise(u, params);
     filter.predict(model, Vector<Scalar, 2>(u.distance_m, u.turn_rad), u.covariance, q);
+}
+
+/// The same where the body tilts: on the way from one frame to the next its tilt stays, see
+/// `settle_tilt`.
+template <typename Scalar>
+void dead_reckon(Ekf<Scalar, kTiltedStates>& filter, const Increment<Scalar>& u,
+                 const Params& params) noexcept {
+    const Calibrated<RobotMotion<Scalar>, Scalar> model{{Scalar(params.motion.slip_angle_rad)},
+                                                        u.dt_s * u.gyro_share};
+    const auto step = model.linearize(filter.state().template head<kCalibratedStates>(),
+                                      Vector<Scalar, 2>(u.distance_m, u.turn_rad));
+    Vector<Scalar, kTiltedStates> next = filter.state(), q;
+    next.template head<kCalibratedStates>() = step.next;
+    q << pose_process_noise(u, params.noise), calibration_process_noise(u, params), 0, 0;
+    filter.propagate(next, step.a, step.b, u.covariance, q);
 }
 
 /// Time update by an increment as measured, with the configured, frozen calibration.

@@ -49,6 +49,7 @@ class Fixer {
 
 extern template class Fixer<double, kPoseStates>;
 extern template class Fixer<double, kCalibratedStates>;
+extern template class Fixer<double, kTiltedStates>;
 extern template class Fixer<float, kPoseStates>;
 extern template class Fixer<float, kCalibratedStates>;
 

@@ -10,6 +10,7 @@
 #include "pilotage/marker_map.hpp"
 #include "pilotage/params.hpp"
 #include "pilotage/samples.hpp"
+#include "pilotage/tilt.hpp"
 #include "pilotage/verdict.hpp"
 
 namespace pilotage {
@@ -22,6 +23,7 @@ namespace pilotage {
     return {sample.utime,
             sample.seq,
             0,
+            sample.payload.sighting.id,
             sample.payload.sighting.id,
             sample.index,
             sample.source,
@@ -36,24 +38,37 @@ namespace pilotage {
             nan};
 }
 
-/// Fuses the given components as one vector.
+/// Whether the first component bends so much within the pose's own uncertainty that its variance
+/// grows by a fifth: on a close pass.
+template <ComponentIndex kFirst, typename Scalar, int M, int N>
+[[nodiscard, gnu::always_inline]] inline bool bends(const HeldSighting<Scalar, M>& held,
+                                                    const Ekf<Scalar, N>& filter) noexcept {
+    const auto& p = filter.covariance();
+    const Scalar spread = p(kX, kX) + p(kY, kY);
+    const Scalar ground_squared = held.dx * held.dx + held.dy * held.dy;
+    const Scalar flat = ground_squared * Scalar(0.8) * held.variances[0];
+    return spread * spread > (kFirst == kRange ? flat : flat * ground_squared);
+}
+
+/// What linearising leaves out of a close pass, as variances of the components.
 template <typename Scalar, int N, typename... Components>
-void fuse_components(Ekf<Scalar, N>& filter, const Marker& marker, const Sighting& sighting,
-                     const MarkerSensorParams& sensor, const Policy& policy, SightingReport& report,
-                     const Components&... components) noexcept {
+[[nodiscard, gnu::noinline, gnu::cold]] Vector<Scalar, int(sizeof...(Components))> bend_variances(
+    const Ekf<Scalar, N>& filter, Scalar dx, Scalar dy, Scalar dz,
+    const Components&... components) noexcept {
+    const LineOfSight<Scalar> sight({0, 0, 0}, {dx, dy, dz});
+    Vector<Scalar, int(sizeof...(Components))> result;
+    int i = 0;
+    ((result[i++] = curvature_variance(components.bend(sight), dx, dy, filter.covariance())), ...);
+    return result;
+}
+
+/// Writes down what became of these components.
+template <typename Scalar, typename... Components>
+[[gnu::always_inline]] inline void describe_update(
+    const UpdateReport<Scalar, int(sizeof...(Components))>& update, const Policy& policy,
+    SightingReport& report) noexcept {
     constexpr int M = sizeof...(Components);
     constexpr ComponentIndex which[] = {Components::kIndex...};
-    const auto held = hold_against<Scalar>(filter.state().template head<kPoseStates>(), marker,
-                                           sighting, sensor, components...);
-    if (!held.defined) {
-        report.verdict = Verdict::too_close;
-        report.limit = sensor.min_distance_m;
-        return;
-    }
-    const auto update =
-        held.survey_variance > 0
-            ? filter.correct(held.innovation, held.jacobian, held.noise(), policy)
-            : filter.correct_independent(held.innovation, held.jacobian, held.variances, policy);
     each<M>([&](int i) {
         report.innovation[which[i]] = double(update.innovation[i]);
         report.sigma[which[i]] = std::sqrt(double(update.s(i, i)));
@@ -75,6 +90,63 @@ void fuse_components(Ekf<Scalar, N>& filter, const Marker& marker, const Sightin
     }
 }
 
+/// Fuses the given components as one vector.
+/// \tparam kHold see Ekf::correct
+template <bool kHold, typename Scalar, int N, typename... Components>
+[[gnu::flatten]] void fuse_components(Ekf<Scalar, N>& filter, const Marker& marker,
+                                      const Sighting& sighting, const MarkerSensorParams& sensor,
+                                      const Policy& policy, SightingReport& report,
+                                      const Components&... components) noexcept {
+    constexpr int M = sizeof...(Components);
+    constexpr ComponentIndex which[] = {Components::kIndex...};
+    auto held = hold_against<Scalar>(filter.state().template head<kPoseStates>(), marker, sighting,
+                                     sensor, components...);
+    if (!held.defined) {
+        report.verdict = Verdict::too_close;
+        report.limit = sensor.min_distance_m;
+        return;
+    }
+    if (bends<which[0]>(held, filter) && policy.fusion != Fusion::plain) {
+        const auto more = bend_variances(filter, held.dx, held.dy, held.dz, components...);
+        each<M>([&](int i) { held.variances[i] += more[i]; });
+    }
+    if constexpr (N == kTiltedStates) {
+        const auto tilted = with_tilt<Scalar, Components...>(held, filter.state());
+        describe_update<Scalar, Components...>(
+            filter.correct(tilted.innovation, tilted.jacobian, held.noise(), policy, kHold), policy,
+            report);
+    } else {
+        const auto update =
+            held.survey_variance > 0
+                ? filter.correct(held.innovation, held.jacobian, held.noise(), policy, kHold)
+                : filter.correct_independent(held.innovation, held.jacobian, held.variances, policy,
+                                             kHold);
+        describe_update<Scalar, Components...>(update, policy, report);
+    }
+}
+
+/// Of a sighting beyond the gate: where the rest is within, only the elevation is wrong, as by a
+/// tilt, and is left out; else nothing tells them apart, and the rule of fusion decides.
+template <typename Scalar, int N>
+[[gnu::noinline, gnu::cold]] void fuse_apart(Ekf<Scalar, N>& filter, const Marker& marker,
+                                             const Sighting& sighting,
+                                             const MarkerSensorParams& sensor, const Policy& policy,
+                                             SightingReport& report) noexcept {
+    const auto fuse = [&](auto hold, const Sighting& part) {
+        (void)with_components<Scalar>(part, sensor, [&](const auto&... components) {
+            fuse_components<decltype(hold)::value>(filter, marker, part, sensor, policy, report,
+                                                   components...);
+        });
+    };
+    Sighting level = sighting;
+    level.value[kElevation] = NAN;
+    fuse(std::true_type{}, level);
+    if (report.verdict == Verdict::fused)
+        --report.dof;
+    else
+        fuse(std::false_type{}, sighting);
+}
+
 /// Holds the sighting against the map and fuses what it measured, linearised at the state as it
 /// stands.
 /// \pre the sighting's values are finite or NaN
@@ -87,7 +159,13 @@ template <typename Scalar, int N>
     const Marker* marker = map.find(sighting.id);
     if (marker == nullptr) return report;
     const bool measured = with_components<Scalar>(sighting, sensor, [&](const auto&... components) {
-        fuse_components(filter, *marker, sighting, sensor, policy, report, components...);
+        constexpr bool separable =
+            sizeof...(components) > 1 &&
+            (... || (std::decay_t<decltype(components)>::kIndex == kElevation));
+        fuse_components<separable>(filter, *marker, sighting, sensor, policy, report,
+                                   components...);
+        if (separable && report.verdict == Verdict::gate)
+            fuse_apart(filter, *marker, sighting, sensor, policy, report);
     });
     if (!measured) report.verdict = Verdict::bad_value;
     return report;

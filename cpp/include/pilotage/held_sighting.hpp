@@ -44,6 +44,7 @@ struct HeldSighting {
     Matrix<Scalar, M, kPoseStates> jacobian;
     Vector<Scalar, M> variances;  ///< of the sensor
     Scalar survey_variance;       ///< of the marker's x and of its y [m^2]
+    Scalar dx, dy, dz;            ///< from the sensor to the marker [m]
     bool defined;                 ///< else the marker is too close, and nothing else means anything
 
     /// R. The survey's uncertainty reaches the measurement as the sensor's position does, with the
@@ -81,6 +82,9 @@ template <typename Scalar, typename... Components>
     held.variances = entries<Vector<Scalar, M>>(
         [&](int i, int) { return sensor_variance(sighting, which[i], sensor, h.value[i]); });
     held.survey_variance = Scalar(marker.sigma_m) * Scalar(marker.sigma_m);
+    held.dx = h.dx;
+    held.dy = h.dy;
+    held.dz = model.model.marker_above_sensor[2];
     return held;
 }
 

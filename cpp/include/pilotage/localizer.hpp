@@ -38,7 +38,7 @@ class Listener {
     ~Listener() = default;
 };
 
-/// Localizes on known markers with dead reckoning in between. N = 3 (pose) or 6 (with calibration
+/// Localizes on known markers with dead reckoning in between. N = 3 (pose), 6 (with calibration
 /// states).
 ///
 /// The estimate depends on the set of samples within the window, not on the order of their arrival:
@@ -135,6 +135,7 @@ class Localizer {
 
 extern template class Localizer<double, kPoseStates>;
 extern template class Localizer<double, kCalibratedStates>;
+extern template class Localizer<double, kTiltedStates>;
 extern template class Localizer<float, kPoseStates>;
 extern template class Localizer<float, kCalibratedStates>;
 

@@ -56,6 +56,15 @@ struct CalibrationParams {
         0;  ///< per root second (gyro bias), root metre (distance), root radian (rotation)
 };
 
+/// Pitch and roll of the body against the ground: Gauss-Markov states, zero on average. Elevations
+/// suffer from them; without elevations they are not needed.
+struct TiltParams {
+    double pitch_sigma_rad = 0, roll_sigma_rad = 0;
+    double tau_s = 0;  ///< correlation time; 0: new in every frame
+
+    [[nodiscard]] bool any() const noexcept { return pitch_sigma_rad > 0 || roll_sigma_rad > 0; }
+};
+
 /// One camera or scanner: where it sits and how well it sees.
 struct MarkerSensorParams {
     double x_m = 0, y_m = 0, z_m = 0, yaw_rad = 0;  ///< mounting in the robot frame
@@ -101,6 +110,7 @@ struct Params {
     CalibrationParams gyro_bias{0, 0, 0};
     CalibrationParams distance_scale{1, 0, 0};
     CalibrationParams rotation_scale{1, 0, 0};
+    TiltParams tilt;
     InitialParams initial;
     StatusParams status;
     HistoryParams history;

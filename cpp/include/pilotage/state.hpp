@@ -28,10 +28,13 @@ enum StateIndex : int {
     kGyroBias = 3,       ///< rad/s, subtracted from the measured rate
     kDistanceScale = 4,  ///< true distance over measured distance
     kRotationScale = 5,  ///< true turn over measured turn
+    kPitch = 6,          ///< rad, of the body against the ground, nose up
+    kRoll = 7,           ///< rad, of the body against the ground, left side up
 };
 
 inline constexpr int kPoseStates = 3;
 inline constexpr int kCalibratedStates = 6;
+inline constexpr int kTiltedStates = 8;
 
 /// The covariance of independent components, given their variances.
 template <typename Scalar, int N>

@@ -38,6 +38,7 @@ struct Track {
     Drift drift;
     std::int64_t utime = 0;
     std::int64_t agreed_utime = 0;      ///< of the last sighting that agreed
+    std::int64_t tilt_utime = 0;        ///< when it was settled, where tilt is a state
     std::int64_t searched_utime = 0;    ///< when other poses were looked for
     std::int64_t evidence_since = 0;    ///< nothing older speaks of this pose
     Increment<Scalar> motion;           ///< of the last motion sample that took time
@@ -127,6 +128,7 @@ class Tracker {
 
 extern template class Tracker<double, kPoseStates>;
 extern template class Tracker<double, kCalibratedStates>;
+extern template class Tracker<double, kTiltedStates>;
 extern template class Tracker<float, kPoseStates>;
 extern template class Tracker<float, kCalibratedStates>;
 

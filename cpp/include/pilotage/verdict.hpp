@@ -69,6 +69,7 @@ struct SightingReport {
     std::int32_t frame_seq;
     std::int32_t revision;  ///< counts up each time the sighting is fused again
     std::int32_t id;        ///< of the marker it was held against
+    std::int32_t given_id;  ///< as the sensor said; kUnknownId where a marker had to be found
     std::uint16_t index;    ///< position in its frame
     std::uint8_t sensor;
     Verdict verdict;

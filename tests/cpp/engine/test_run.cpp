@@ -60,6 +60,24 @@ TEST(RunTest, GivesTheNewestReportOfEachSighting) {
     }
 }
 
+/// Beside a twin; that the other one was seen as well comes late, and tells which this is.
+TEST(RunTest, ASightingWithoutIdStaysItselfWhenItsMarkerIsFoundLater) {
+    Recording recording;
+    for (int i = 0; i <= 100; ++i)
+        recording.add(i * 20'000, "ENCODERS", encoders(i * 20'000, 0, 0, i));
+    recording.add(500'500, "MARKERS", frame(500'000, "camera", {seen(-1, -0.785, NAN, 5.657)}, 1));
+    recording.add(1'000'500, "MARKERS", frame(500'000, "camera", {seen(3, -0.797, NAN, 5.73)}, 1));
+    recording.sort();
+    Replay run(parse_config(std::string(kPlainRobot) + "- {id: 3, x: 4, y: -4.1}\n", "robot", ""));
+    run.replay(recording);
+    const std::vector<SightingReport> reports = run.final_reports();
+    ASSERT_EQ(reports.size(), 2U);
+    EXPECT_EQ(reports[0].id, 2);
+    EXPECT_EQ(reports[0].revision, 1);
+    EXPECT_EQ(reports[0].given_id, -1);
+    EXPECT_EQ(reports[1].id, 3);
+}
+
 /// A copy that is refused says nothing of the sighting that it is a copy of: both have a row.
 TEST(RunTest, ARefusedCopyDoesNotTakeTheSightingsPlace) {
     Recording recording = short_drive();

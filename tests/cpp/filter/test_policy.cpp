@@ -34,6 +34,28 @@ TEST(ChiSquare, QuantileUndoesTail) {
             EXPECT_NEAR(chi_square_tail(chi_square_quantile(tail, dof), dof) / tail, 1, 1e-9);
 }
 
+// Of more degrees of freedom, as they come together in a frame.
+TEST(ChiSquare, TailIsThatOfTheTableForManyDegreesOfFreedomToo) {
+    struct Entry {
+        int dof;
+        double quantile, tail;
+    };
+    for (const Entry& e :
+         {Entry{4, 9.48773, 0.05}, Entry{5, 11.0705, 0.05}, Entry{7, 24.3219, 0.001},
+          Entry{10, 23.2093, 0.01}, Entry{30, 43.7730, 0.05}, Entry{60, 99.6072, 0.001}})
+        EXPECT_NEAR(chi_square_tail(e.quantile, e.dof) / e.tail, 1, 1e-4) << e.dof;
+}
+
+TEST(ChiSquare, ASumIsHeldAgainstTheGateOfItsDegreesOfFreedom) {
+    const Policy policy = Policy::make(Fusion::student_t, 0.001, 4);
+    for (const auto& [dof, limit] :
+         {std::pair{1, 10.8276}, {2, 13.8155}, {3, 16.2662}, {7, 24.3219}, {60, 99.6072}}) {
+        EXPECT_FALSE(policy.beyond_gate(limit - 0.001, dof)) << dof;
+        EXPECT_TRUE(policy.beyond_gate(limit + 0.001, dof)) << dof;
+        EXPECT_TRUE(policy.beyond_gate(NAN, dof)) << dof;
+    }
+}
+
 PILOTAGE_SUITE(PolicyTest);
 
 TYPED_TEST(PolicyTest, GateComparesNisWithTheQuantileItself) {

@@ -70,11 +70,14 @@ class Ekf {
 
     /// The measurement update with innovation and H given, so that they may be taken at another
     /// point.
+    /// \param hold an innovation beyond the gate is only reported, whatever the rule of fusion: the
+    /// caller wants to look at it
     template <int M, int Seen>
     [[gnu::flatten]] UpdateReport<Scalar, M> correct(const Vector<Scalar, M>& innovation,
                                                      const Matrix<Scalar, M, Seen>& h,
                                                      const Matrix<Scalar, M>& r,
-                                                     const Policy& policy) noexcept {
+                                                     const Policy& policy,
+                                                     bool hold = false) noexcept {
         UpdateReport<Scalar, M> report;
         fill(report.innovation, [&](int i, int) { return innovation[i]; });
         const auto prior = [&](int i, int j) { return i >= j ? p_(i, j) : p_(j, i); };
@@ -85,13 +88,13 @@ class Ekf {
         fill_symmetric(report.s, [&](int i, int j) { return hph(i, j) + r(i, j); });
         const Ldlt<Scalar, M> s(report.s);
         report.nis = s.squared_norm(innovation);
-        const bool plain = policy.fusion == Fusion::plain;
+        const bool usual = report.nis <= Scalar(policy.usual_nis[M - 1]);
         if (!s.positive() || !(report.nis <= std::numeric_limits<Scalar>::max())) {
             report.fault = UpdateFault::numeric;
-        } else if (!plain && policy.gated(report.nis, M)) {
+        } else if (!usual && policy.gated(report.nis, M, hold)) {
             report.fault = UpdateFault::gated;
         } else {
-            report.weight = plain ? Scalar(1) : policy.weight(report.nis, M);
+            report.weight = usual ? Scalar(1) : policy.weight(report.nis, M);
             const bool committed =
                 report.weight < 1 ? commit_weighted(copy_of(innovation), copy_of(h), copy_of(r),
                                                     report.weight, copy_of(ph), copy_of(hph))
@@ -108,8 +111,8 @@ class Ekf {
     template <int M, int Seen>
     [[gnu::flatten]] UpdateReport<Scalar, M> correct_independent(
         const Vector<Scalar, M>& innovation, const Matrix<Scalar, M, Seen>& h,
-        const Vector<Scalar, M>& variances, const Policy& policy) noexcept {
-        return correct(innovation, h, diagonal(variances), policy);
+        const Vector<Scalar, M>& variances, const Policy& policy, bool hold = false) noexcept {
+        return correct(innovation, h, diagonal(variances), policy, hold);
     }
 
    private:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pilotage {
 
@@ -43,16 +44,25 @@ enum class Fusion : unsigned char {
 
 /// A fusion rule with its numbers. NIS is compared with a limit on NIS, never on its square root.
 struct Policy {
+    static constexpr double kAny = std::numeric_limits<double>::infinity();
+
     Fusion fusion = Fusion::plain;
-    double gate_nis[3] = {};   ///< limit on NIS by degrees of freedom 1, 2, 3
+    double gate_nis[3] = {};  ///< limit on NIS by degrees of freedom 1, 2, 3
+    /// Up to here, by the same, every rule fuses with full weight.
+    double usual_nis[3] = {kAny, kAny, kAny};
     double student_t_dof = 4;  ///< nu: smaller is more sceptical
 
     /// \param false_reject probability that the gate rejects a good sighting
     [[nodiscard]] static Policy make(Fusion fusion, double false_reject,
                                      double student_t_dof) noexcept {
-        Policy policy{fusion, {}, student_t_dof};
-        for (int dof = 1; dof <= 3; ++dof)
-            policy.gate_nis[dof - 1] = chi_square_quantile(false_reject, dof);
+        Policy policy;
+        policy.fusion = fusion;
+        policy.student_t_dof = student_t_dof;
+        for (int dof = 1; dof <= 3; ++dof) {
+            const double gate = chi_square_quantile(false_reject, dof);
+            policy.gate_nis[dof - 1] = gate;
+            if (fusion != Fusion::plain) policy.usual_nis[dof - 1] = std::min(gate, double(dof));
+        }
         return policy;
     }
 
@@ -73,9 +83,10 @@ struct Policy {
         return !(chi_square_tail(nis, components) >= chi_square_tail(gate_nis[1], 2));
     }
 
+    /// \param always whatever the rule
     template <typename Scalar>
-    [[nodiscard]] bool gated(Scalar nis, int components) const noexcept {
-        return fusion == Fusion::gate && !(nis <= Scalar(gate_nis[components - 1]));
+    [[nodiscard]] bool gated(Scalar nis, int components, bool always = false) const noexcept {
+        return (always || fusion == Fusion::gate) && !(nis <= Scalar(gate_nis[components - 1]));
     }
 };
 

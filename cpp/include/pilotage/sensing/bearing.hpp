@@ -2,6 +2,7 @@
 /// \file
 /// Angle to a marker in the ground plane, from the sensor's forward axis, left positive.
 
+#include "pilotage/sensing/curvature.hpp"
 #include "pilotage/sensing/line_of_sight.hpp"
 
 namespace pilotage {
@@ -16,6 +17,10 @@ struct Bearing {
         const Scalar per_square = 1 / sight.ground_squared;
         return {direction_of(sight.dx, sight.dy) - sight.sensor_heading_rad, sight.dy * per_square,
                 -sight.dx * per_square, Scalar(-1)};
+    }
+
+    [[nodiscard]] Bend<Scalar> bend(const LineOfSight<Scalar>& sight) const noexcept {
+        return {0, 1 / sight.ground_squared, 0};
     }
 };
 

@@ -2,6 +2,7 @@
 /// \file
 /// Angle to a marker above the horizontal plane through the sensor, up positive.
 
+#include "pilotage/sensing/curvature.hpp"
 #include "pilotage/sensing/line_of_sight.hpp"
 
 namespace pilotage {
@@ -18,6 +19,12 @@ struct Elevation {
         const Scalar slant_squared = sight.ground_squared + sight.dz * sight.dz;
         const Scalar factor = sight.dz / (sight.ground * slant_squared);
         return {atan(sight.dz / sight.ground), sight.dx * factor, sight.dy * factor, Scalar(0)};
+    }
+
+    [[nodiscard]] Bend<Scalar> bend(const LineOfSight<Scalar>& sight) const noexcept {
+        const Scalar slant_squared = sight.ground_squared + sight.dz * sight.dz;
+        return {2 * sight.ground * sight.dz / (slant_squared * slant_squared), 0,
+                -sight.dz / (sight.ground * slant_squared)};
     }
 };
 

@@ -19,6 +19,7 @@ template <typename Scalar, int M, int States>
 struct Measurement {
     Vector<Scalar, M> value;
     Matrix<Scalar, M, States> jacobian;
+    Scalar dx = 0, dy = 0;  ///< to the marker over ground [m]
     bool defined = true;
 };
 
@@ -40,6 +41,8 @@ struct MarkerSighting {
         const LineOfSight<Scalar> sight(sensor, marker_above_sensor);
         Measurement<Scalar, kComponents, kStates> h;
         h.defined = sight.ground >= min_ground_m;
+        h.dx = sight.dx;
+        h.dy = sight.dy;
         fill_rows(h, sight, std::make_index_sequence<sizeof...(Components)>{});
         return h;
     }

@@ -2,6 +2,7 @@
 /// \file
 /// Slant distance to a marker, as a sensor with a scale error and an offset reports it.
 
+#include "pilotage/sensing/curvature.hpp"
 #include "pilotage/sensing/line_of_sight.hpp"
 
 namespace pilotage {
@@ -19,6 +20,13 @@ struct Range {
         const Scalar slant = sqrt(sight.ground_squared + sight.dz * sight.dz);
         const Scalar factor = -scale / slant;
         return {scale * slant + offset_m, sight.dx * factor, sight.dy * factor, Scalar(0)};
+    }
+
+    [[nodiscard]] Bend<Scalar> bend(const LineOfSight<Scalar>& sight) const noexcept {
+        using std::sqrt;
+        const Scalar slant_squared = sight.ground_squared + sight.dz * sight.dz;
+        const Scalar across = scale / sqrt(slant_squared);
+        return {across * sight.dz * sight.dz / slant_squared, 0, across};
     }
 };
 
