@@ -108,14 +108,14 @@ def blind_zone(survey: Survey) -> Iterator[Finding]:
 
 
 def position_unsure(survey: Survey) -> Iterator[Finding]:
-    """Find places at which one frame is not enough, whichever way the robot heads."""
-    part = float(np.mean(survey.coverage.radius_m.min(axis=-1) > survey.alert_limit_m))
+    """Find places with markers in view at which one frame is not enough, however one heads."""
+    unsure = survey.coverage.radius_m.min(axis=-1) > survey.alert_limit_m
+    part = float(np.mean(unsure & survey.coverage.count.any(axis=-1)))
     if part >= WORTH:
         yield Finding(
             "map",
-            f"in {percent(part)} of the area no frame alone fixes the position to "
-            f"{survey.alert_limit_m:g} m (95 %, status.alert_limit_m), whichever way the robot "
-            "heads",
+            f"in {percent(part)} of the area there are markers in view, but no frame alone fixes "
+            f"the position to {survey.alert_limit_m:g} m (95 %, status.alert_limit_m)",
             "nothing, where the robot comes from places that are better; else add markers there",
             note=True,
         )

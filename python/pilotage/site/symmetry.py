@@ -18,6 +18,8 @@ MANY = 0.7
 ANCHORS = 16
 PROBES = 16
 """Markers that a motion is tried on first."""
+BLOCK = 128
+"""Motions that are tried at once, where the first that fits is enough."""
 BEST = 24
 """Of the motions of an anchor, so many are looked at closely: a large grid has hundreds."""
 
@@ -77,13 +79,15 @@ def elsewhere(layout: Layout, seen: Indices, tolerance_m: float, mirror: bool) -
     other = int(np.argmax(np.abs(z - z[one])))
     probes = seen[:: -(-len(seen) // PROBES)]
     for flip in (False, True) if mirror else (False,):
-        turn, shift = _candidates(layout, seen[one], seen[other], tolerance_m, flip)
-        for some in (probes[:3], probes):  # most fail by one of the first
-            on = _onto(layout, turn, shift, flip, some, 2.0 * tolerance_m) < len(layout)
-            turn, shift = turn[on.all(axis=1)], shift[on.all(axis=1)]
-        for match in _settled(layout, turn, shift, flip, seen, tolerance_m):
-            if len(match.origin) == len(seen):
-                return match
+        turns, shifts = _candidates(layout, seen[one], seen[other], tolerance_m, flip)
+        for start in range(0, len(turns), BLOCK):
+            turn, shift = turns[start : start + BLOCK], shifts[start : start + BLOCK]
+            for some in (probes[:3], probes):  # most fail by one of the first
+                on = _onto(layout, turn, shift, flip, some, 2.0 * tolerance_m) < len(layout)
+                turn, shift = turn[on.all(axis=1)], shift[on.all(axis=1)]
+            for match in _settled(layout, turn, shift, flip, seen, tolerance_m):
+                if len(match.origin) == len(seen):
+                    return match
     return None
 
 

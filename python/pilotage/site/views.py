@@ -10,7 +10,7 @@ from .layout import Indices, Layout
 from .shapes import Circle, circle_through, in_line
 from .symmetry import Match, elsewhere
 
-SAMPLE = 1000
+SAMPLE = 500
 """Poses that are looked at, evenly over the ground."""
 FEWEST = 3
 """Two markers always look like themselves the other way round."""

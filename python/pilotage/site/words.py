@@ -67,7 +67,7 @@ def _alike(survey: Survey) -> list[str]:
     within = f"{survey.tolerance_m:.2g} m"
     lines = [match_words(survey, match) for match in survey.symmetries[:LISTED]]
     if more := len(survey.symmetries) - LISTED:
-        lines += [f"and {more} motions more"] if more > 0 else []
+        lines += [f"and {more} other motions"] if more > 0 else []
     if not lines:
         lines = [f"no motion brings many of the markers onto others, within {within}"]
     part = survey.views.part(survey.views.alike)

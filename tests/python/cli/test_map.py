@@ -32,7 +32,7 @@ def test_a_configuration_is_looked_at_with_its_own_sensors(folder: Path):
         "eye measures bearing and range; however far, all round",
         "turned by 180° about (2.0, 2.0) m, all 4 markers fall on markers",
         "fit elsewhere too: 100 % of all poses",
-        "fewer than 3          0 %",
+        "fewer than 3        0 %            0 %           0 %",
         "with the heading known to 3°",
         "no warnings",
         "1 note:",

@@ -5,7 +5,7 @@ import numpy as np
 from pilotage.plot.site import site_figure
 from pilotage.site import Survey
 from support.artists import artist, has, texts
-from support.sites import BEARINGS, SQUARE, site
+from support.sites import BEARINGS, RANGES, SQUARE, site
 
 
 def test_the_radius_is_drawn_over_the_area_with_markers_and_partners() -> None:
@@ -25,7 +25,7 @@ def test_the_radius_is_drawn_over_the_area_with_markers_and_partners() -> None:
 
 
 def test_blind_and_unsure_zones_are_hatched() -> None:
-    survey = Survey.of(site(SQUARE), reach_m=3.0, area=(-8, -8, 12, 12), view_rad=math.pi)
+    survey = Survey.of(site(SQUARE, RANGES), reach_m=1.9, area=(-4, -4, 8, 8), view_rad=math.pi)
     figure = site_figure(survey)
     axes = figure.axes[0]
     assert artist(axes, "no marker in view").hatches == ["xxxxxx"]

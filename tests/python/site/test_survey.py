@@ -78,6 +78,22 @@ def test_a_map_of_one_marker_can_be_looked_at():
     assert survey.coverage.ground.area == (2.0, 3.0, 4.0, 5.0)
 
 
+@pytest.mark.parametrize("xy", [[(1, 1)] * 3, [(0, 0), (0, 0), (5, 0), (5, 5), (2, 1)]])
+def test_markers_in_one_place_can_be_looked_at(xy):
+    survey = Survey.of(site(xy))
+    assert survey.symmetries == []
+    assert np.isfinite(np.median(survey.coverage.average_m))
+
+
+def test_a_site_far_from_the_frames_origin_is_the_same_site():
+    near, far = (
+        Survey.of(site(np.array(SQUARE) + offset), reach_m=3.0) for offset in (0.0, [5e5, 5e6])
+    )
+    assert len(far.symmetries) == 3
+    assert far.coverage.fewer(2) == pytest.approx(near.coverage.fewer(2), abs=1e-3)
+    np.testing.assert_allclose(far.coverage.average_m, near.coverage.average_m, rtol=1e-2)
+
+
 def test_five_hundred_markers_are_looked_at():
     xy = np.random.default_rng(1).uniform(0, 120, (500, 2))
     done: list[float] = []
