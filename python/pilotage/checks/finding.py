@@ -10,3 +10,5 @@ class Finding(NamedTuple):
     """Where: a dotted key, or a section."""
     problem: str
     remedy: str
+    note: bool = False
+    """Worth knowing, but no fault of what is configured."""

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from .. import Config
+from ..site import measured
 from .finding import Finding
 
 MOUNTING = ("x_m", "y_m", "z_m", "yaw_rad")
@@ -67,12 +68,11 @@ def noise_too_small(config: Config) -> Iterator[Finding]:
 
 def elevation_says_nothing(config: Config) -> Iterator[Finding]:
     """Find elevations of markers that are all as high as the sensor."""
-    default = Config()
     heights = config.map.positions[:, 2]
     for name in config.sensors:
-        sigma, z = f"sensors.{name}.sigma_elevation_rad", f"sensors.{name}.z_m"
-        measured = config[sigma] != default[sigma]  # who has no elevations leaves it alone
-        if measured and heights.size and np.all(heights == config[z]):
+        z = f"sensors.{name}.z_m"
+        elevations = "elevation" in measured(config, name)
+        if elevations and heights.size and np.all(heights == config[z]):
             yield Finding(
                 z,
                 f"{config[z]:g}, and every marker is as high: elevations tell no distance",

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from .. import Config, MarkerMap
-from .markers import spacing
+from .markers import closest
 
 CLOCK = {
     "utime": "the sender's stamp",
@@ -84,8 +84,8 @@ def _map(markers: MarkerMap, name: str) -> list[str]:
         f"over {high[0] - low[0]:.1f} m × {high[1] - low[1]:.1f} m, at a height of {height}",
         f"ids {markers.ids[0]} to {markers.ids[-1]}, {_gaps(markers)}",
     ]
-    if found := spacing(markers):
-        lines.append(f"closest: {found.closest[0]} and {found.closest[1]}, {found.least:.3g} m")
+    if pair := closest(markers):
+        lines.append(f"closest: {pair.one} and {pair.other}, {pair.apart_m:.3g} m")
     return lines
 
 

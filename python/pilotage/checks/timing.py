@@ -53,7 +53,8 @@ def outputs_on_one_channel(config: Config) -> Iterator[Finding]:
 def no_multicast() -> Iterator[Finding]:
     """Find a machine on which LCM cannot work."""
     if not multicast.available():
-        yield Finding("LCM", *multicast.ADVICE.split("; ", 1))
+        problem, remedy = multicast.ADVICE.split("; ", 1)
+        yield Finding("LCM", problem, remedy)
 
 
 CHECKS = (window_shorter_than_a_latency, history_too_small, outputs_on_one_channel)

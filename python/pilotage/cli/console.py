@@ -1,10 +1,16 @@
 """What commands share on the screen."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from time import monotonic
+from typing import TYPE_CHECKING
+
+import typer
 
 from ..evaluate import Row
+
+if TYPE_CHECKING:
+    from ..checks import Finding
 
 PATIENCE_S = 2.0
 """What takes longer than this shows a progress bar."""
@@ -42,3 +48,24 @@ def print_rows(title: str, rows: Sequence[Row]) -> None:
     print(title)
     for row in rows:
         print(f"  {row.label:<{width}}  {row.value:>10}  {row.unit}".rstrip())
+
+
+def print_sections(sections: Mapping[str, Sequence[str]]) -> None:
+    """Print lines, with their section's name before the first."""
+    for section, lines in sections.items():
+        for i, line in enumerate(lines):
+            typer.echo(f"  {section if i == 0 else '':<8}  {line}")
+
+
+def print_findings(findings: "Sequence[Finding]") -> None:
+    """Print warnings, or that there are none, and then the notes."""
+    notes = [finding for finding in findings if finding.note]
+    warnings = [finding for finding in findings if not finding.note]
+    for kind, some, colour in (("warning", warnings, "yellow"), ("note", notes, "cyan")):
+        if some or kind == "warning":
+            plural = "" if len(some) == 1 else "s"
+            typer.echo(f"\n{len(some) or 'no'} {kind}{plural}" + (":" if some else ""))
+        for finding in some:
+            typer.secho(f"  {finding.key}: ", fg=colour, nl=False)
+            remedy = finding.remedy.replace("\n", "\n    ")
+            typer.echo(f"{finding.problem}\n    → {remedy}")

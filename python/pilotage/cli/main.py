@@ -4,7 +4,20 @@ import sys
 
 import typer
 
-from . import check, config, convert, demo, evaluate, faults, plot, replay, simulate, status, study
+from . import (
+    check,
+    config,
+    convert,
+    demo,
+    evaluate,
+    faults,
+    map,
+    plot,
+    replay,
+    simulate,
+    status,
+    study,
+)
 
 app = typer.Typer(
     help="Localizes ground robots on surveyed markers, with dead reckoning in between.",
@@ -39,6 +52,7 @@ for command in (
     status.status,
 ):
     app.command()(command)
+app.add_typer(map.app, name="map")
 app.add_typer(study.app, name="study")
 
 

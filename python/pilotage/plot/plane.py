@@ -1,5 +1,6 @@
 """Figures of the plane: a panel of equal scales, and what is drawn into it."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -17,11 +18,14 @@ from .thin import stride
 POINTS = 20_000
 
 
-def plane(box: NDArray[np.float64]) -> tuple[Figure, Axes]:
-    """Make a figure with equal scales, as high as the box [[x, y] low, [x, y] high] needs, in m."""
+def plane(box: NDArray[np.float64], beside: float = 0.0) -> tuple[Figure, Axes]:
+    """Make a figure with equal scales, as high as the box [[x, y] low, [x, y] high] needs, in m.
+
+    `beside` is room at the panel's right, in inches.
+    """
     low, high = box
     size = high - low
-    width = style.WIDTH - 0.7
+    width = style.WIDTH - 0.7 - beside
     height = float(np.clip(width * size[1] / size[0], 2.5, 6.0))
     # Widen the side that falls short, so that equal scales fill the panel.
     spare = np.maximum([size[1] * width / height, size[0] * height / width] - size, 0.0) / 2.0
@@ -106,13 +110,16 @@ def label_outermost(axes: Axes, outlines: NDArray[np.float64], text: str) -> Non
     )
 
 
-def draw_markers(axes: Axes, markers: MapLike | None) -> list[Line2D]:
-    """Draw markers as stars with their ids."""
+def draw_markers(
+    axes: Axes, markers: MapLike | None, names: Sequence[str] | None = None
+) -> list[Line2D]:
+    """Draw markers as stars with their ids, or other names."""
     if markers is None or len(markers.ids) == 0:
         return []
     x, y = markers.positions[:, 0], markers.positions[:, 1]
-    for marker, at in zip(markers.ids, zip(x, y, strict=True), strict=True):
-        style.tag(axes, str(marker), at, (4, 3), fontsize=style.SMALL - 1)
+    tags = map(str, markers.ids) if names is None else names
+    for tag, at in zip(tags, zip(x, y, strict=True), strict=True):
+        style.tag(axes, tag, at, (4, 3), fontsize=style.SMALL - 1)
     return axes.plot(
         x, y, linestyle="none", marker="*", markersize=8, markerfacecolor=style.MARKER,
         markeredgecolor=style.INK, markeredgewidth=0.5, label="marker", gid="markers", zorder=4,
