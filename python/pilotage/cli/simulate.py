@@ -80,8 +80,14 @@ def simulate(
     chosen = replace(
         chosen,
         duration_s=duration,
-        encoders=replace(chosen.encoders, slip=slip),
-        gyro=replace(chosen.gyro, bias_rad_s=gyro_bias),
+        encoders=replace(
+            chosen.encoders, slip=slip, scale_sigma=max(slip, chosen.encoders.scale_sigma)
+        ),
+        gyro=replace(
+            chosen.gyro,
+            bias_rad_s=gyro_bias,
+            bias_sigma_rad_s=max(abs(gyro_bias), chosen.gyro.bias_sigma_rad_s),
+        ),
         latency_s=latency,
     )
     rng = np.random.default_rng(seed)
