@@ -4,7 +4,20 @@ import sys
 
 import typer
 
-from . import check, config, convert, demo, evaluate, faults, plot, replay, simulate, status, study
+from . import (
+    check,
+    config,
+    convert,
+    demo,
+    evaluate,
+    faults,
+    montecarlo,
+    plot,
+    replay,
+    simulate,
+    status,
+    study,
+)
 
 app = typer.Typer(
     help="Localizes ground robots on surveyed markers, with dead reckoning in between.",
@@ -33,6 +46,7 @@ for command in (
     simulate.simulate,
     evaluate.evaluate,
     faults.faults,
+    montecarlo.montecarlo,
     plot.plot,
     config.config,
     check.check,

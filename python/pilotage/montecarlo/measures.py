@@ -2,11 +2,13 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..lcmtypes import status_t
+from .gate import false_rejects
 from .result import MonteCarlo
 
 DECIDED_FRAMES = 10
@@ -21,7 +23,8 @@ class Measure:
     """A number, or some, of a result; NaN where the scenario has no such thing."""
 
     words: str
-    of: Callable[[MonteCarlo], float | list[float]]
+    of: Callable[..., float | list[float]]
+    """Of a result; of two, the second its reference; or of a number of draws and their chance."""
     share: bool = False
     """Of the runs or of the time, 0 to 1, shown in percent."""
 
@@ -62,7 +65,12 @@ def _of_kidnaps(result: MonteCarlo, what: NDArray[np.bool_]) -> float:
     return float(what.mean()) if result.kidnapped else np.nan
 
 
-MEASURES = {
+def over_reference(result: MonteCarlo, reference: MonteCarlo) -> float:
+    """Return the position RMSE as a multiple of another scenario's."""
+    return rmse_m(result) / rmse_m(reference)
+
+
+OF_RUNS = {
     "rmse_m": Measure("position RMSE, m", rmse_m),
     "over_bound": Measure("position RMSE / bound", over_bound),
     "anees": Measure("NEES/dof", lambda r: float(np.nanmean(r.anees))),
@@ -89,3 +97,11 @@ MEASURES = {
     "ambiguous": Measure("AMBIGUOUS", lambda r: float(ambiguous(r).mean()), share=True),
 }
 """By the name that they have in bars.yaml and in montecarlo.json."""
+OF_REFERENCE = {
+    "over_reference": Measure("position RMSE / reference", over_reference),
+    "reference_anees": Measure("NEES/dof of the reference", lambda _, r: OF_RUNS["anees"].of(r)),
+}
+OF_GATE = {
+    f"gate_dof_{dof}": Measure(f"false rejects / setting, dof {dof}", partial(false_rejects, dof))
+    for dof in (1, 2, 3)
+}

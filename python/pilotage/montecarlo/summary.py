@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ..evaluate import Row
-from .measures import MEASURES, RECOVERY_S, over_bound, rmse_m, root_mean_square
+from .measures import OF_RUNS, RECOVERY_S, over_bound, rmse_m, root_mean_square
 from .result import LAST_S, LOST_M, MonteCarlo
 
 NAMED = 10
@@ -62,7 +62,7 @@ def to_dict(result: MonteCarlo) -> dict[str, Any]:
         "scenario": result.scenario,
         "seed": result.seed,
         "runs": result.runs,
-        **{name: _known(measure.of(result)) for name, measure in MEASURES.items()},
+        **{name: _known(measure.of(result)) for name, measure in OF_RUNS.items()},
         "bound_m": None if bound is None else root_mean_square(bound.position_m),
         "heading_rmse_rad": _known(root_mean_square(result.heading_rad)),
         "anees_band": result.anees_band,
@@ -75,12 +75,11 @@ def to_dict(result: MonteCarlo) -> dict[str, Any]:
     }
 
 
-def lost_text(result: MonteCarlo) -> str:
-    """Name the lost runs, and how to look at one."""
-    names = ", ".join(map(str, result.lost[:NAMED]))
-    more = ", ..." if len(result.lost) > NAMED else ""
+def lost_text(result: MonteCarlo, scenario: str) -> str:
+    """Name the lost runs, and say how to look at one."""
+    names = ", ".join(map(str, result.lost[:NAMED])) + (", ..." if len(result.lost) > NAMED else "")
     return (
-        f"lost: {names}{more}; pilotage simulate {result.scenario} --seed {result.seed} "
+        f"lost: {names}; to look at one: pilotage simulate {scenario} --seed {result.seed} "
         f"--run {result.lost[0]} -o lost.lcmlog"
     )
 

@@ -1,5 +1,6 @@
 """One run: a robot drawn from its priors drives, the real core localizes it, truth judges it."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 
 from .. import MarkerMap, replay
 from ..evaluate import beyond, mahalanobis_squared, pose_errors
-from ..simulate import Measured, Scenario, measure, suitable_config
+from ..simulate import Measured, Scenario, Simulation, measure, simulate, suitable_config
 from ..simulate.drives import STEP_US
 from ..simulate.worlds import Surveyed
 
@@ -66,6 +67,17 @@ def on_one_site(scenario: Scenario, seed: int) -> tuple[Scenario, MarkerMap]:
 def chance(seed: int, run: int) -> np.random.Generator:
     """Return all chance of a run: the run-th child of the seed, whoever computes it."""
     return np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(run,)))
+
+
+def simulate_run(
+    scenario: Scenario,
+    seed: int,
+    run: int,
+    spoil: Callable[[Measured], Measured] | None = None,
+) -> Simulation:
+    """Return one of the runs as a recording, to look at it; `spoil` may change what is sent."""
+    rng = chance(seed, run)
+    return simulate(on_one_site(scenario, seed)[0].drawn(rng), rng, spoil)
 
 
 def run_trial(scenario: Scenario, rng: np.random.Generator) -> Trial:

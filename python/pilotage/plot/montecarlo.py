@@ -49,7 +49,6 @@ def draw_error(
     lost: NDArray[np.float64] | None = None,
 ) -> None:
     """Draw errors on a logarithmic axis, each lost run by itself behind them."""
-    logarithmic(axes)
     if lost is not None:
         axes.plot(time, lost, color=style.ELLIPSE, linewidth=0.4, alpha=0.5, gid="lost")
     axes.plot(time, rmse, color=style.DOT, linewidth=1.1, gid="rmse")
@@ -60,6 +59,7 @@ def draw_error(
         right += f", bound {smallest:.3g} {unit}, ratio {root_mean_square(rmse) / smallest:.3f}"
     style.headline(axes, "", right)
     style.name_axis(axes.yaxis, f"{name} ({unit})")
+    logarithmic(axes)
 
 
 def draw_ratio(
@@ -75,13 +75,15 @@ def draw_ratio(
     axes.plot(time, ratio, color=style.DOT, linewidth=0.9, gid="ratio")
     known = np.isfinite(ratio)
     inside = style.share((ratio >= band[0])[known] & (ratio <= band[1])[known])
-    style.headline(axes, "", f"mean {mean:.4g}, {inside} of the time in the band")
+    style.headline(
+        axes, "", f"mean {mean:,.{3 if mean < FAR else 0}f}, {inside} of the time in the band"
+    )
     # A few moments, as those of the start, may leave the panel.
     low, high = np.percentile(ratio[known], (1.0, 99.0))
     low, high = min(low, float(np.min(band[0]))), max(high, float(np.max(band[1])))
     if high > FAR:
-        logarithmic(axes)
         axes.set_ylim(max(low, 0.1) / 1.5, high * 1.5)
+        logarithmic(axes)
     else:
         margin = 0.15 * (high - low)
         axes.set_ylim(low - margin, high + margin)
@@ -99,7 +101,9 @@ def draw_nis(axes: Axes, name: str, nis: Nis) -> None:
 def logarithmic(axes: Axes) -> None:
     """Give a panel a logarithmic axis with plain numbers."""
     axes.set_yscale("log")
-    axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    low, high = axes.get_ylim()
+    steps = (1.0,) if high > 50.0 * low else (1.0, 2.0, 5.0)
+    axes.yaxis.set_major_locator(LogLocator(subs=steps))
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.yaxis.set_minor_formatter(NullFormatter())
 

@@ -15,10 +15,12 @@ T = TypeVar("T")
 
 class _Loader(yaml.SafeLoader):  # type: ignore[misc]
     def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Any, Any]:
-        content: dict[Any, Any] = super().construct_mapping(node, deep)
-        if len(content) < len(node.value):
-            raise yaml.YAMLError(f"line {node.start_mark.line + 1}: a key stands there twice")
-        return content
+        keys = [key.value for key, _ in node.value if isinstance(key, yaml.ScalarNode)]
+        for key in keys:
+            if keys.count(key) > 1:
+                line = node.start_mark.line + 1
+                raise yaml.YAMLError(f"line {line}: the key '{key}' stands there twice")
+        return dict(super().construct_mapping(node, deep))
 
 
 def read_yaml(path: Path) -> Any:

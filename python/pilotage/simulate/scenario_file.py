@@ -70,7 +70,7 @@ def parse_scenario(content: Any, name: str) -> Scenario:
     }
     sensors = mapping(content["sensors"], f"{name}: sensors")
     scenario = Scenario(
-        name=Path(name).stem,
+        name=Path(name).name.removesuffix(".yaml"),
         site=_site(content["site"], name),
         drive=_drive(content["drive"], f"{name}: drive"),
         cameras=tuple(_camera(s, sensors[s], f"{name}: sensors.{s}") for s in sensors),
