@@ -41,7 +41,8 @@ def montecarlo(
 
         with progress_bar("running") as progress:
             verdict = judge(scenario, runs, seed, jobs, progress)
-        typer.echo("\n".join(aligned(verdict.table(), ("measured", "bar"))))
+        lines = aligned(verdict.table(), ("measured", "bar")) + verdict.reasons()
+        typer.echo("\n".join(lines))
         if output is not None:
             verdict.save(output)
             typer.echo(f"{output}/bars.json, and a folder for each row")

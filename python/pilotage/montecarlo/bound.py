@@ -132,8 +132,8 @@ def motion(
 
 
 def sightings(camera: Camera, markers: MarkerMap, drive: Drive) -> NDArray[np.float64]:
-    """(n + 1, 3, 3) information about the pose that a sensor is expected to give at each stamp."""
-    dt = np.append(np.diff(drive.utime), 0) * 1e-6
+    """(n + 1, 3, 3) information about the pose that a sensor is expected to give in each step."""
+    dt = np.diff(drive.utime, prepend=drive.utime[0]) * 1e-6
     frames = camera.rate_hz * (1.0 - camera.dropout) * dt
     in_view = camera.in_view(camera.look_at_all(drive, markers, drive.utime))
     weight = 1.0 / np.square([camera.sigma[COMPONENTS.index(c)] for c in camera.components])

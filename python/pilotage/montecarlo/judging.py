@@ -12,8 +12,9 @@ from .bars import Bar, BarRow, bar_rows, bar_scenario
 from .measures import OF_GATE, OF_REFERENCE, OF_RUNS, Measure
 from .result import MonteCarlo
 from .running import run_montecarlo
+from .summary import known
 
-HEAD = ["row", "what", "measure", "measured", "bar", ""]
+HEAD = ["row", "measure", "measured", "bar", ""]
 
 
 @dataclass(frozen=True)
@@ -33,12 +34,10 @@ class Finding:
 
     def cells(self) -> list[str]:
         """Return the columns of the table."""
-        measured = ", ".join(map(self.measure.text, self.values)) or "-"
-        verdict = self.reason or ("met" if self.met else "missed")
-        return [
-            self.row.name, self.row.what, self.measure.words, measured,
-            self.bar.text(self.measure), verdict,
-        ]  # fmt: skip
+        measured = ", ".join(map(self.measure.text, self.values))
+        verdict = "not run" if self.reason else "met" if self.met else "missed"
+        bar = self.bar.text(self.measure)
+        return [self.row.name, self.measure.words, measured, bar, verdict]
 
 
 @dataclass(frozen=True)
@@ -55,9 +54,13 @@ class Verdict:
         table, last = [HEAD], ""
         for finding in self.findings:
             cells = finding.cells()
-            table.append(["", "", *cells[2:]] if cells[0] == last else cells)
+            table.append(["", *cells[1:]] if cells[0] == last else cells)
             last = cells[0]
         return table
+
+    def reasons(self) -> list[str]:
+        """Return why rows were not run, each reason once."""
+        return list(dict.fromkeys(f"not run: {f.reason}" for f in self.findings if f.reason))
 
     def save(self, folder: Path) -> None:
         """Write `bars.json`, and a folder with the result of each row."""
@@ -68,15 +71,16 @@ class Verdict:
         content["findings"] = [
             {
                 "row": f.row.name,
+                "what": f.row.what,
                 "measure": f.measure.words,
-                "values": f.values,
+                "values": known(f.values),
                 **asdict(f.bar),
                 "met": f.met,
                 "reason": f.reason,
             }
             for f in self.findings
         ]
-        text = json.dumps(content, indent=1)
+        text = json.dumps(content, indent=1, allow_nan=False)
         (folder / "bars.json").write_text(text + "\n", encoding="utf-8")
 
 

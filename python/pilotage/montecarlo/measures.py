@@ -43,6 +43,12 @@ def rmse_m(result: MonteCarlo) -> float:
     return root_mean_square(result.position_m)
 
 
+def rmse_sigma_m(result: MonteCarlo) -> float:
+    """Return how far it may be off because the runs are not more."""
+    squares = np.nanmean(np.square(result.trials.distance), axis=1)
+    return float(np.nanstd(squares) / np.sqrt(result.runs) / (2.0 * rmse_m(result)))
+
+
 def over_bound(result: MonteCarlo) -> float:
     """Return it as a multiple of the smallest possible one."""
     bound = result.bound

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ..evaluate import Row
-from .measures import OF_RUNS, RECOVERY_S, over_bound, rmse_m, root_mean_square
+from .measures import OF_RUNS, RECOVERY_S, over_bound, rmse_m, rmse_sigma_m, root_mean_square
 from .result import LAST_S, LOST_M, MonteCarlo
 
 NAMED = 10
@@ -18,7 +18,8 @@ def rows(result: MonteCarlo) -> Iterator[Row]:
     yield Row("position RMSE", f"{rmse_m(result):.4f}", "m")
     if result.bound is not None:
         smallest = root_mean_square(result.bound.position_m)
-        yield Row("  smallest possible", f"{smallest:.4f}", f"m; {over_bound(result):.3f} times it")
+        of_it = f"{over_bound(result):.3f} ± {2.0 * rmse_sigma_m(result) / smallest:.3f}"
+        yield Row("  smallest possible", f"{smallest:.4f}", f"m; {of_it} times it")
     yield Row("heading RMSE", f"{np.degrees(root_mean_square(result.heading_rad)):.3f}", "deg")
     if result.bound is not None:
         smallest = np.degrees(root_mean_square(result.bound.heading_rad))
@@ -62,16 +63,17 @@ def to_dict(result: MonteCarlo) -> dict[str, Any]:
         "scenario": result.scenario,
         "seed": result.seed,
         "runs": result.runs,
-        **{name: _known(measure.of(result)) for name, measure in OF_RUNS.items()},
+        **{name: known(measure.of(result)) for name, measure in OF_RUNS.items()},
+        "rmse_sigma_m": known(rmse_sigma_m(result)),
         "bound_m": None if bound is None else root_mean_square(bound.position_m),
-        "heading_rmse_rad": _known(root_mean_square(result.heading_rad)),
+        "heading_rmse_rad": known(root_mean_square(result.heading_rad)),
         "anees_band": result.anees_band,
         "nis_by_sensor": {
             name: {"mean": nis.mean, "band": nis.band} for name, nis in result.nis.items()
         },
         "lost_runs": result.lost.tolist(),
         "wrong_ok_runs": np.flatnonzero(result.wrong_ok.any(axis=1)).tolist(),
-        "over_time": {name: _known(values.tolist()) for name, values in over_time.items()},
+        "over_time": {name: known(values.tolist()) for name, values in over_time.items()},
     }
 
 
@@ -84,7 +86,8 @@ def lost_text(result: MonteCarlo, scenario: str) -> str:
     )
 
 
-def _known(value: float | list[float]) -> Any:
+def known(value: float | list[float]) -> Any:
+    """Return numbers as JSON has them; what is none is null."""
     if isinstance(value, list):
-        return [_known(v) for v in value]
+        return [known(v) for v in value]
     return float(value) if np.isfinite(value) else None

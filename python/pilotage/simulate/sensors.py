@@ -134,10 +134,14 @@ class Camera:
         self, drive: Drive, markers: MarkerMap, utime: NDArray[np.int64]
     ) -> NDArray[np.float64]:
         """Exact bearing, elevation and range (f, m, 3) of all markers, at times (f,) µs."""
-        return np.stack([self.look(drive, p, utime) for p in markers.positions], axis=1)
+        poses = drive.at(utime)
+        return np.stack([self._model(p).predict(poses) for p in markers.positions], axis=1)
 
     def look(
         self, drive: Drive, marker: NDArray[np.float64], utime: NDArray[np.int64]
     ) -> NDArray[np.float64]:
         """Exact bearing, elevation and range (n, 3) of a marker at x, y, z, at times (n,)."""
-        return MarkerModel(marker, list(COMPONENTS), self.mounting).predict(drive.at(utime))
+        return self._model(marker).predict(drive.at(utime))
+
+    def _model(self, marker: NDArray[np.float64]) -> MarkerModel:
+        return MarkerModel(marker, list(COMPONENTS), self.mounting)
