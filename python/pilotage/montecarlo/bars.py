@@ -72,16 +72,15 @@ def bar_rows() -> dict[str, BarRow]:
 
 
 def bar_scenario(change: dict[str, Any], name: str) -> Scenario:
-    """Return the base scenario with a change; a part that is null is left out."""
+    """Return the base scenario with a change."""
     return parse_scenario(changed(base(), change), name)
 
 
 def find_scenario(name: str) -> Scenario:
-    """Return the scenario of a row, one of the simulator's, or that of a file."""
-    row = bar_rows().get(name)
-    if row is not None and row.change is not None:
-        return bar_scenario(row.change, name)
-    return simulate.find_scenario(name)
+    """Return one of the simulator's scenarios, that of a row, or that of a file."""
+    rows = bar_rows().values()
+    driven = {r.name: changed(base(), r.change) for r in rows if r.change is not None}
+    return simulate.find_scenario(name, driven)
 
 
 def changed(content: dict[str, Any], change: dict[str, Any]) -> dict[str, Any]:

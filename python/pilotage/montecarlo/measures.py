@@ -33,9 +33,15 @@ class Measure:
         return f"{100.0 * value:.2f} %" if self.share else f"{value:.3f}"
 
 
+def mean(values: NDArray[np.float64]) -> float:
+    """Return the mean of what is known; NaN where nothing is."""
+    known = values[np.isfinite(values)]
+    return float(known.mean()) if known.size else np.nan
+
+
 def root_mean_square(values: NDArray[np.float64]) -> float:
-    """Over what is known."""
-    return float(np.sqrt(np.nanmean(np.square(values)))) if np.isfinite(values).any() else np.nan
+    """Return it of what is known."""
+    return float(np.sqrt(mean(np.square(values))))
 
 
 def rmse_m(result: MonteCarlo) -> float:
@@ -45,8 +51,9 @@ def rmse_m(result: MonteCarlo) -> float:
 
 def rmse_sigma_m(result: MonteCarlo) -> float:
     """Return how far it may be off because the runs are not more."""
-    squares = np.nanmean(np.square(result.trials.distance), axis=1)
-    return float(np.nanstd(squares) / np.sqrt(result.runs) / (2.0 * rmse_m(result)))
+    squares = np.array([mean(np.square(distance)) for distance in result.trials.distance])
+    spread = np.sqrt(mean(np.square(squares - mean(squares))) / result.runs)
+    return float(spread / (2.0 * rmse_m(result)))
 
 
 def over_bound(result: MonteCarlo) -> float:
@@ -79,7 +86,7 @@ def over_reference(result: MonteCarlo, reference: MonteCarlo) -> float:
 OF_RUNS = {
     "rmse_m": Measure("position RMSE, m", rmse_m),
     "over_bound": Measure("position RMSE / bound", over_bound),
-    "anees": Measure("NEES/dof", lambda r: float(np.nanmean(r.anees))),
+    "anees": Measure("NEES/dof", lambda r: mean(r.anees)),
     "nis": Measure("NIS/dof", lambda r: [nis.mean for nis in r.nis.values()]),
     "lost": Measure("lost runs", lambda r: len(r.lost) / r.runs, share=True),
     "ok": Measure("time OK", lambda r: float(r.ok.mean()), share=True),

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ..evaluate import Row
-from .measures import OF_RUNS, RECOVERY_S, over_bound, rmse_m, rmse_sigma_m, root_mean_square
+from .measures import OF_RUNS, RECOVERY_S, mean, over_bound, rmse_m, rmse_sigma_m, root_mean_square
 from .result import LAST_S, LOST_M, MonteCarlo
 
 NAMED = 10
@@ -24,7 +24,7 @@ def rows(result: MonteCarlo) -> Iterator[Row]:
     if result.bound is not None:
         smallest = np.degrees(root_mean_square(result.bound.heading_rad))
         yield Row("  smallest possible", f"{smallest:.3f}", "deg")
-    yield Row("NEES/dof", f"{np.nanmean(result.anees):.3f}", "mean over time")
+    yield Row("NEES/dof", f"{mean(result.anees):.3f}", "mean over time")
     low, high = result.anees_band
     inside = 100.0 * np.mean((result.anees >= low) & (result.anees <= high))
     yield Row(f"  in {low:.3f} to {high:.3f}", f"{inside:.1f}", "% of the time; 95 % expected")

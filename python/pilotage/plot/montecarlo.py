@@ -9,7 +9,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
-from ..montecarlo.measures import root_mean_square
+from ..montecarlo.measures import mean, root_mean_square
 from ..montecarlo.result import LAST_S, LOST_M, MonteCarlo, Nis
 from . import style
 
@@ -30,7 +30,7 @@ def montecarlo_figure(result: MonteCarlo) -> Figure:
     draw_error(panels[0], time, result.position_m, position, "position RMSE", "m", lost)
     draw_error(panels[1], time, np.degrees(result.heading_rad), heading, "heading RMSE", "deg")
     low, high = (np.full(len(time), end) for end in result.anees_band)
-    draw_ratio(panels[2], time, result.anees, (low, high), float(np.nanmean(result.anees)))
+    draw_ratio(panels[2], time, result.anees, (low, high), mean(result.anees))
     style.name_axis(panels[2].yaxis, "NEES / dof")
     for axes, (name, nis) in zip(panels[3:], result.nis.items(), strict=True):
         draw_nis(axes, name, nis)
@@ -49,6 +49,8 @@ def draw_error(
     lost: NDArray[np.float64] | None = None,
 ) -> None:
     """Draw errors on a logarithmic axis, each lost run by itself behind them."""
+    if not np.isfinite(rmse).any():
+        return style.note(axes, "no pose")
     if lost is not None:
         axes.plot(time, lost, color=style.ELLIPSE, linewidth=0.4, alpha=0.5, gid="lost")
     axes.plot(time, rmse, color=style.DOT, linewidth=1.1, gid="rmse")
@@ -67,17 +69,18 @@ def draw_ratio(
     time: NDArray[np.float64],
     ratio: NDArray[np.float64],
     band: tuple[NDArray[np.float64], NDArray[np.float64]],
-    mean: float,
+    average: float,
 ) -> None:
     """Draw what should be 1 within its band."""
+    known = np.isfinite(ratio)
+    if not known.any():
+        return style.note(axes, "no pose")
     axes.fill_between(time, *band, facecolor=style.BAND, linewidth=0, gid="band")
     axes.axhline(1.0, color=style.INK, linewidth=0.6, linestyle=DASHED)
     axes.plot(time, ratio, color=style.DOT, linewidth=0.9, gid="ratio")
-    known = np.isfinite(ratio)
     inside = style.share((ratio >= band[0])[known] & (ratio <= band[1])[known])
-    style.headline(
-        axes, "", f"mean {mean:,.{3 if mean < FAR else 0}f}, {inside} of the time in the band"
-    )
+    size = f"{average:.3f}" if average < FAR else f"{average:,.0f}"
+    style.headline(axes, "", f"mean {size}, {inside} of the time in the band")
     # A few moments, as those of the start, may leave the panel.
     low, high = np.percentile(ratio[known], (1.0, 99.0))
     low, high = min(low, float(np.min(band[0]))), max(high, float(np.max(band[1])))

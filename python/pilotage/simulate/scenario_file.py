@@ -3,9 +3,10 @@
 An example with every key stands in docs/montecarlo.md; what is left out is as in the dataclasses.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -35,8 +36,13 @@ MOUNTING = ("x_m", "y_m", "z_m", "yaw_rad")
 SIGMAS = ("sigma_bearing_rad", "sigma_elevation_rad", "sigma_range_m")
 
 
-def find_scenario(name: str) -> Scenario:
+def find_scenario(name: str, others: Mapping[str, Any] = MappingProxyType({})) -> Scenario:
     """Return a scenario by its name, or read it from a file.
+
+    Parameters
+    ----------
+    others : mapping
+        Contents as of files, by further names.
 
     Raises
     ------
@@ -45,10 +51,12 @@ def find_scenario(name: str) -> Scenario:
     """
     if name in SCENARIOS:
         return SCENARIOS[name]
+    if name in others:
+        return parse_scenario(others[name], name)
     if Path(name).is_file():
         return parse_scenario(read_yaml(Path(name)), name)
     raise ValueError(
-        f"no scenario '{name}', and no such file; there are {', '.join(SCENARIOS)}; "
+        f"no scenario '{name}', and no such file; there are {', '.join([*SCENARIOS, *others])}; "
         "docs/montecarlo.md shows a file of your own"
     )
 

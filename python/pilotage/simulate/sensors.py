@@ -135,13 +135,15 @@ class Camera:
     ) -> NDArray[np.float64]:
         """Exact bearing, elevation and range (f, m, 3) of all markers, at times (f,) µs."""
         poses = drive.at(utime)
-        return np.stack([self._model(p).predict(poses) for p in markers.positions], axis=1)
+        return np.stack([self._look(p, poses) for p in markers.positions], axis=1)
 
     def look(
         self, drive: Drive, marker: NDArray[np.float64], utime: NDArray[np.int64]
     ) -> NDArray[np.float64]:
         """Exact bearing, elevation and range (n, 3) of a marker at x, y, z, at times (n,)."""
-        return self._model(marker).predict(drive.at(utime))
+        return self._look(marker, drive.at(utime))
 
-    def _model(self, marker: NDArray[np.float64]) -> MarkerModel:
-        return MarkerModel(marker, list(COMPONENTS), self.mounting)
+    def _look(self, marker: NDArray[np.float64], poses: NDArray[np.float64]) -> NDArray[np.float64]:
+        exact = MarkerModel(marker, list(COMPONENTS), self.mounting).predict(poses)
+        exact[:, 0] = wrap_angle(exact[:, 0])  # a model's bearings differ from these by turns
+        return exact
