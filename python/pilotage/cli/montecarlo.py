@@ -40,11 +40,10 @@ def montecarlo(
         from ..montecarlo.judging import judge
 
         with progress_bar("running") as progress:
-            verdict = judge(scenario, runs, seed, jobs, progress)
+            verdict = judge(scenario, runs, seed, jobs, progress, output)
         lines = aligned(verdict.table(), ("measured", "bar")) + verdict.reasons()
         typer.echo("\n".join(lines))
         if output is not None:
-            verdict.save(output)
             typer.echo(f"{output}/bars.json, and a folder for each row")
         return
     from ..montecarlo import find_scenario, run_montecarlo

@@ -1,7 +1,7 @@
 """Runs the bars' scenarios and holds what comes out against what is asked."""
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -42,12 +42,11 @@ class Finding:
 
 @dataclass(frozen=True)
 class Verdict:
-    """All findings, and the results that they are taken from by the row's name."""
+    """All findings."""
 
     runs: int
     seed: int
     findings: list[Finding]
-    results: dict[str, MonteCarlo]
 
     def table(self) -> list[list[str]]:
         """Return rows of text; a row's name stands only at its first measure."""
@@ -63,9 +62,7 @@ class Verdict:
         return list(dict.fromkeys(f"not run: {f.reason}" for f in self.findings if f.reason))
 
     def save(self, folder: Path) -> None:
-        """Write `bars.json`, and a folder with the result of each row."""
-        for name, result in self.results.items():
-            result.save(folder / name)
+        """Write `bars.json`."""
         folder.mkdir(parents=True, exist_ok=True)
         content: dict[str, Any] = {"runs": self.runs, "seed": self.seed}
         content["findings"] = [
@@ -90,29 +87,29 @@ def judge(
     seed: int,
     jobs: int,
     progress: Callable[[float], None] = lambda _: None,
+    folder: Path | None = None,
 ) -> Verdict:
-    """Run the rows with `only` in their name."""
+    """Run the rows with `only` in their name; what comes out of each goes into a folder in one."""
     rows = [row for row in bar_rows().values() if only in row.name]
     if not rows:
         raise ValueError(f"no row has '{only}' in its name; there are {', '.join(bar_rows())}")
-    known: dict[str, MonteCarlo] = {}
-    findings, results = [], {}
+    findings: list[Finding] = []
+    base: list[MonteCarlo] = []  # many rows are held against it; the others are too large to keep
     for i, row in enumerate(rows):
 
-        def result_of(change: dict[str, Any], i: int = i, row: BarRow = row) -> MonteCarlo:
-            key = json.dumps(change, sort_keys=True)
-            if key not in known:
-                scenario = bar_scenario(change, row.name)
-                known[key] = run_montecarlo(
-                    scenario, runs, seed, jobs, lambda done: progress((i + done) / len(rows))
-                )
-            return known[key]
+        def run(change: dict[str, Any], i: int = i, row: BarRow = row) -> MonteCarlo:
+            if not change and base:
+                return base[0]
+            scenario = bar_scenario(change, row.name)
+            result = run_montecarlo(
+                scenario, runs, seed, jobs, lambda done: progress((i + done) / len(rows))
+            )
+            if not change:
+                base.append(result)
+            return result
 
         try:
-            if row.change is not None:
-                results[row.name] = result_of(row.change)
-            values = dict(_values(row, result_of, seed))
-            reason = ""
+            values, reason = _values(row, run, seed, folder), ""
         except KeyError as error:  # a key of the configuration that this version does not have
             values, reason = {}, str(error.args[0])
         measures = OF_RUNS | OF_REFERENCE | OF_GATE
@@ -121,18 +118,32 @@ def judge(
             for name, bar in row.bars.items()
         ]
         progress((i + 1) / len(rows))
-    return Verdict(runs, seed, findings, results)
+    verdict = Verdict(runs, seed, findings)
+    if folder is not None:
+        verdict.save(folder)
+    return verdict
 
 
 def _values(
-    row: BarRow, result_of: Callable[[dict[str, Any]], MonteCarlo], seed: int
-) -> Iterator[tuple[str, list[float]]]:
-    """Yield every measure that is asked for; some are several numbers."""
-    for name in row.bars:
-        if row.change is None:
-            value = OF_GATE[name].of(row.draws, np.random.default_rng(seed))
-        elif name in OF_RUNS:
-            value = OF_RUNS[name].of(result_of(row.change))
-        else:
-            value = OF_REFERENCE[name].of(result_of(row.change), result_of(row.reference or {}))
-        yield name, value if isinstance(value, list) else [value]
+    row: BarRow,
+    run: Callable[[dict[str, Any]], MonteCarlo],
+    seed: int,
+    folder: Path | None,
+) -> dict[str, list[float]]:
+    """Return every measure that is asked for; some are several numbers."""
+    values: dict[str, float | list[float]]
+    if row.change is None:
+        rng = np.random.default_rng(seed)
+        values = {name: OF_GATE[name].of(row.draws, rng) for name in row.bars}
+    else:
+        result = run(row.change)
+        reference = None if row.reference is None else run(row.reference)
+        if folder is not None:
+            result.save(folder / row.name)
+        values = {
+            name: OF_RUNS[name].of(result)
+            if name in OF_RUNS
+            else OF_REFERENCE[name].of(result, reference)
+            for name in row.bars
+        }
+    return {name: v if isinstance(v, list) else [v] for name, v in values.items()}

@@ -57,15 +57,16 @@ def test_it_is_the_covariance_of_the_cores_filter_at_the_true_pose():
     )
     arc = CalibratedArc(0.01)
     for k, (distance, turn) in enumerate(drive.increments, start=1):
-        # Of two wheels: the distance is the mean of their travels.
-        gamma = np.diag([0.05**2 * distance / 2, 1e-4**2 * 0.01])
+        # Once the gyro tells the turn, each wheel tells the distance: the better one counts more.
+        left, right = distance - 0.25 * turn, distance + 0.25 * turn
+        gamma = np.diag([0.05**2 * left * right / (left + right), 1e-4**2 * 0.01])
         ekf.predict(arc, [distance, turn], gamma, [0.0, 0.0, 0.0, 1e-4**2 * 0.01, 0.0, 0.0])
         for model in models:
             exact, _, _ = model.linearize(ekf.state[:3])
             assert ekf.update(model, exact, np.diag([0.02**2, 0.1**2])).accepted
         p = ekf.covariance  # but for the little that the wheels tell of the turn
-        assert bound.position_m[k] == pytest.approx(np.sqrt(p[0, 0] + p[1, 1]), rel=5e-3)
-        assert bound.heading_rad[k] == pytest.approx(np.sqrt(p[2, 2]), rel=5e-3)
+        assert bound.position_m[k] == pytest.approx(np.sqrt(p[0, 0] + p[1, 1]), rel=1e-3)
+        assert bound.heading_rad[k] == pytest.approx(np.sqrt(p[2, 2]), rel=1e-3)
 
 
 def test_good_wheels_beside_a_bad_gyro_tell_the_turn_and_the_gyros_bias():
