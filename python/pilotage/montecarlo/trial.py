@@ -91,7 +91,7 @@ def run_trial(scenario: Scenario, rng: np.random.Generator) -> Trial:
     known = newest >= 0
     poses = run.poses[newest[known]]
     poses["utime"] = at[known]  # the pose in force, judged by the truth of now
-    errors = pose_errors(poses, measured.truth())
+    errors = pose_errors(poses, measured.truth()[::GRID_STEPS])
 
     def column(values: NDArray[Any], missing: Any) -> NDArray[Any]:
         full = np.full(len(at), missing, values.dtype)

@@ -10,11 +10,11 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
 from ..montecarlo.measures import mean, root_mean_square
-from ..montecarlo.result import LAST_S, LOST_M, MonteCarlo, Nis
+from ..montecarlo.result import MonteCarlo, Nis
 from . import style
 
-NAMED = 8
-"""Lost runs that the figure names, at most."""
+NAMED = 6
+"""Lost runs that the figure draws by themselves, and names, at most."""
 FAR = 5.0
 """What should be 1 and comes to more is drawn on a logarithmic axis."""
 DASHED = (0, (4, 3))
@@ -24,7 +24,7 @@ def montecarlo_figure(result: MonteCarlo) -> Figure:
     """Draw RMSE of position and heading over the bound, NEES per dof, and NIS of each sensor."""
     figure, panels = style.stack([1.7, 1.4, 1.4, *[1.2] * len(result.nis)])
     time, bound = result.time_s, result.bound
-    lost = result.trials.distance[result.lost].T
+    lost = result.trials.distance[result.lost[:NAMED]].T
     position = None if bound is None else bound.position_m
     heading = None if bound is None else np.degrees(bound.heading_rad)
     draw_error(panels[0], time, result.position_m, position, "position RMSE", "m", lost)
@@ -48,11 +48,11 @@ def draw_error(
     unit: str,
     lost: NDArray[np.float64] | None = None,
 ) -> None:
-    """Draw errors on a logarithmic axis, each lost run by itself behind them."""
+    """Draw errors on a logarithmic axis, some lost runs by themselves behind them."""
     if not np.isfinite(rmse).any():
         return style.note(axes, "no pose")
     if lost is not None:
-        axes.plot(time, lost, color=style.ELLIPSE, linewidth=0.4, alpha=0.5, gid="lost")
+        axes.plot(time, lost, color=style.ELLIPSE, linewidth=0.4, gid="lost")
     axes.plot(time, rmse, color=style.DOT, linewidth=1.1, gid="rmse")
     right = f"{root_mean_square(rmse):.3g} {unit}"
     if bound is not None:
@@ -127,6 +127,6 @@ def handles(result: MonteCarlo) -> list[Artist]:
     if len(result.lost):
         more = ", ..." if len(result.lost) > NAMED else ""
         numbers = ", ".join(map(str, result.lost[:NAMED])) + more
-        words = f"{len(result.lost)} lost (over {LOST_M:g} m in the last {LAST_S:g} s): {numbers}"
+        words = f"{len(result.lost)} lost: {numbers}"
         entries.append(Line2D([], [], color=style.ELLIPSE, linewidth=0.6, label=words))
     return entries

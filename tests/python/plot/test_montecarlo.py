@@ -45,7 +45,7 @@ def test_lost_runs_are_named(result: MonteCarlo):
     distance = result.trials.distance.copy()
     distance[[1, 3]] = 7.0
     lost = replace(result, trials=replace(result.trials, distance=distance))
-    assert "2 lost (over 1 m in the last 5 s): 1, 3" in texts(montecarlo_figure(lost))
+    assert "2 lost: 1, 3" in texts(montecarlo_figure(lost))
 
 
 def test_without_any_pose_it_says_so():
