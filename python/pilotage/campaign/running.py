@@ -6,12 +6,11 @@ from itertools import islice
 from zlib import crc32
 
 import numpy as np
-from joblib import Parallel, delayed, parallel_config
-from joblib.externals.loky.process_executor import TerminatedWorkerError
 from numpy.typing import NDArray
 
 from .. import Recording, lcmtypes, replay
 from ..evaluate import CellFigures, Outcome, Timeline
+from ..parallel import in_processes
 from ..simulate import SCENARIOS, Cell, Scenario, Window, measure, suitable_config
 
 TICK_US = 1_000_000
@@ -83,23 +82,18 @@ def run_tasks(
         for task in tasks
         for first in range(0, task.runs, CHUNK)
     ]
-    outcomes: list[Outcome | str] = []
-    count = 0
-    with parallel_config(backend="loky", inner_max_num_threads=1):
-        done = Parallel(n_jobs=jobs, return_as="generator")(
-            delayed(_run_chunk)(scenario, task, window, seed, runs) for task, runs in chunks
+
+    def died(chunk: int) -> str:
+        last = chunks[chunk][0].cell.name
+        return (
+            f"a process died, at or soon after '{last}': pilotage faults --jobs 1 --only "
+            f"'{last}' shows whether it is that"
         )
-        try:
-            for count, chunk in enumerate(done, start=1):
-                outcomes += chunk
-                if progress is not None:
-                    progress(count / len(chunks))
-        except TerminatedWorkerError as error:
-            last = chunks[min(count, len(chunks) - 1)][0].cell.name
-            raise RuntimeError(
-                f"a process died, at or soon after '{last}': pilotage faults --jobs 1 --only "
-                f"'{last}' shows whether it is that"
-            ) from error
+
+    calls = [(scenario, task, window, seed, runs) for task, runs in chunks]
+    outcomes: list[Outcome | str] = []
+    for chunk in in_processes(_run_chunk, calls, jobs, died, progress):
+        outcomes += chunk
     rest = iter(outcomes)
     return [CellFigures.of(list(islice(rest, t.runs)), t.cell.required) for t in tasks]
 

@@ -1,7 +1,5 @@
 """The campaign's results as rows of text, for the terminal and for the page."""
 
-from collections.abc import Sequence
-
 from ..evaluate import CellFigures, Required
 from ..evaluate.figures import AGAIN_S, MOST, OK_SHARE, SILENT_SHARE
 from ..simulate import Cell
@@ -131,16 +129,3 @@ def _share(part: float) -> str:
 
 def _metres(error_m: float | None) -> str:
     return "–" if error_m is None else f"{error_m:.2f} m"
-
-
-def aligned(table: Table, numbers: Sequence[str] = ()) -> list[str]:
-    """Return lines with columns of equal width; columns whose head is in `numbers` stand right."""
-    widths = [max(map(len, column)) for column in zip(*table, strict=True)]
-    right = [head in numbers for head in table[0]]
-    return [
-        "  ".join(
-            cell.rjust(width) if is_right else cell.ljust(width)
-            for cell, width, is_right in zip(row, widths, right, strict=True)
-        ).rstrip()
-        for row in table
-    ]

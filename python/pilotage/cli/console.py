@@ -42,6 +42,12 @@ def progress_bar(what: str) -> Iterator[Callable[[float], None]]:
             bar.stop()
 
 
+def check_jobs(jobs: int) -> None:
+    """Refuse a number of processes that means nothing."""
+    if jobs < 1 and jobs != -1:
+        raise ValueError(f"--jobs is {jobs}, expected 1 or more, or -1 for one a core")
+
+
 def print_rows(title: str, rows: Sequence[Row]) -> None:
     """Print a table of label, value and unit."""
     width = max((len(row.label) for row in rows), default=0)
@@ -69,3 +75,16 @@ def print_findings(findings: "Sequence[Finding]") -> None:
             typer.secho(f"  {finding.key}: ", fg=colour, nl=False)
             remedy = finding.remedy.replace("\n", "\n    ")
             typer.echo(f"{finding.problem}\n    → {remedy}")
+
+
+def aligned(table: Sequence[Sequence[str]], numbers: Sequence[str] = ()) -> list[str]:
+    """Return lines with columns of equal width; those whose head is in `numbers` stand right."""
+    widths = [max(map(len, column)) for column in zip(*table, strict=True)]
+    right = [head in numbers for head in table[0]]
+    return [
+        "  ".join(
+            cell.rjust(width) if is_right else cell.ljust(width)
+            for cell, width, is_right in zip(row, widths, right, strict=True)
+        ).rstrip()
+        for row in table
+    ]

@@ -25,11 +25,10 @@ def faults(
     Example: pilotage faults yard --runs 20 --only gyro -o out
     """
     from ..campaign import FaultReport
-    from ..campaign.table import aligned, bar_table, cell_table
-    from .console import progress_bar
+    from ..campaign.table import bar_table, cell_table
+    from .console import aligned, check_jobs, progress_bar
 
-    if jobs < 1 and jobs != -1:
-        raise ValueError(f"--jobs is {jobs}, expected 1 or more, or -1 for one a core")
+    check_jobs(jobs)
     with progress_bar("injecting faults") as progress:
         report = FaultReport.make(scenario, runs, seed, jobs, only, progress)
     numbers = ("OK", "said", "after", "again", "error", "silent", "measured")

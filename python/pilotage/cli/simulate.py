@@ -11,7 +11,11 @@ PATIENCE_S = 60.0
 
 def simulate(
     scenario: Annotated[
-        str, typer.Argument(help="mower-spiral, circle-four-poles, figure-eight, yard")
+        str,
+        typer.Argument(
+            help="mower-spiral, circle-four-poles, figure-eight, yard, or a file as in "
+            "docs/montecarlo.md"
+        ),
     ],
     output: Annotated[
         Path | None,
@@ -39,6 +43,9 @@ def simulate(
         typer.Option(help="What fails for a while, a cell of `pilotage faults`: 'gyro stuck'."),
     ] = None,
     seed: Annotated[int, typer.Option(help="Of all chance.")] = 1,
+    run: Annotated[
+        int | None, typer.Option(min=0, help="The run of `pilotage montecarlo` of that number.")
+    ] = None,
 ) -> None:
     """Simulate a drive past markers, into an LCM log or live over LCM.
 
@@ -54,18 +61,18 @@ def simulate(
 
     import numpy as np
 
-    from ..simulate import SCENARIOS, Campaign, Measured
-    from ..simulate import simulate as run
+    from ..montecarlo import find_scenario, simulate_run
+    from ..simulate import Campaign, Measured
+    from ..simulate import simulate as simulated
     from .console import progress_bar
 
-    if scenario not in SCENARIOS:
-        raise ValueError(f"no scenario '{scenario}'; there are {', '.join(SCENARIOS)}")
+    chosen = find_scenario(scenario)
     if live == (output is not None):
         raise ValueError("say where it goes: either -o FILE.lcmlog or --live")
     if output is not None and output.suffix == ".yaml":
         raise ValueError(f"{output} is for the configuration: give the log another name")
-    duration = SCENARIOS[scenario].duration_s if duration is None else duration
-    latency = SCENARIOS[scenario].latency_s if latency is None else latency
+    duration = chosen.duration_s if duration is None else duration
+    latency = chosen.latency_s if latency is None else latency
     for name, value, low, high in (
         ("duration", duration, 1.0, 1e5),
         ("noise", noise, 0.0, 100.0),
@@ -76,12 +83,18 @@ def simulate(
     ):
         if not low <= value <= high:
             raise ValueError(f"--{name} is {value:g}, expected {low:g} to {high:g}")
-    chosen = SCENARIOS[scenario].with_noise(noise)
+    chosen = chosen.with_noise(noise)
     chosen = replace(
         chosen,
         duration_s=duration,
-        encoders=replace(chosen.encoders, slip=slip),
-        gyro=replace(chosen.gyro, bias_rad_s=gyro_bias),
+        encoders=replace(
+            chosen.encoders, slip=slip, scale_sigma=max(slip, chosen.encoders.scale_sigma)
+        ),
+        gyro=replace(
+            chosen.gyro,
+            bias_rad_s=gyro_bias,
+            bias_sigma_rad_s=max(abs(gyro_bias), chosen.gyro.bias_sigma_rad_s),
+        ),
         latency_s=latency,
     )
     rng = np.random.default_rng(seed)
@@ -92,7 +105,9 @@ def simulate(
         campaign = Campaign.load()
         return campaign.cell(fault).strike(measured, chosen.cameras, campaign.window, rng)
 
-    simulation = run(chosen, rng, spoiled)
+    simulation = (
+        simulated(chosen, rng, spoiled) if run is None else simulate_run(chosen, seed, run, spoiled)
+    )
     config = simulation.config.to_yaml()
     if output is not None:
         simulation.recording.save(str(output))
@@ -103,7 +118,7 @@ def simulate(
     from ..health import Health
     from ..live import play
 
-    file = Path(f"{scenario}.yaml")
+    file = Path(f"{chosen.name}.yaml")
     file.write_text(config, encoding="utf-8")
     typer.echo(f"a node for it: pilotage-node --config {file}")
     if wait:

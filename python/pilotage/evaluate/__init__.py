@@ -7,7 +7,7 @@ from .angles import wrap_angle
 from .consistency import ellipse_scale, mahalanobis_squared, mean_square_band, sigma_probability
 from .errors import PoseErrors, pose_errors
 from .figures import CellFigures, Required
-from .honesty import Timeline
+from .honesty import Timeline, beyond
 from .metrics import Counts, Heading, Metrics, Nees, Nis, Position, compute_metrics
 from .outcome import Outcome
 from .run import MapLike, RunLike
@@ -32,6 +32,7 @@ __all__ = [
     "Row",
     "RunLike",
     "Timeline",
+    "beyond",
     "compute_metrics",
     "ellipse_scale",
     "error_rows",

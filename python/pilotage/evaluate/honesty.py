@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .consistency import mahalanobis_squared
-from .errors import pose_errors
+from .errors import PoseErrors, pose_errors
 
 BEYOND_SIGMA = 5.0
 """An error beyond so many sigma, and beyond the next two, is outside what was stated."""
@@ -18,6 +18,17 @@ STALE_S = 1.0
 the one in force, and judged by the truth of now."""
 STEADY_S = 1.0
 """OK again is to be OK and right for so long, s."""
+
+
+def beyond(errors: PoseErrors, covariance: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """(n,) whether errors are outside what the covariances (n, 3, 3) state."""
+    d2 = mahalanobis_squared(errors.position, covariance[:, :2, :2])
+    with np.errstate(invalid="ignore"):
+        position = ~(d2 <= BEYOND_SIGMA**2) & (errors.distance > BEYOND_M)
+        off = np.abs(errors.heading)
+        heading = ~(off <= BEYOND_SIGMA * np.sqrt(covariance[:, 2, 2]))
+        heading &= off > np.radians(BEYOND_DEG)
+    return np.asarray(position | heading)
 
 
 @dataclass(frozen=True)
@@ -65,14 +76,8 @@ class Timeline:
         order = np.argsort(at, kind="stable")
         errors = pose_errors(rows[order], truth)
         covariance = rows["covariance"][order]
-        d2 = mahalanobis_squared(errors.position, covariance[:, :2, :2])
-        with np.errstate(invalid="ignore"):
-            position = ~(d2 <= BEYOND_SIGMA**2) & (errors.distance > BEYOND_M)
-            off = np.abs(errors.heading)
-            heading = ~(off <= BEYOND_SIGMA * np.sqrt(covariance[:, 2, 2]))
-            heading &= off > np.radians(BEYOND_DEG)
         end = int(truth["utime"][-1])
-        return cls(at[order], ok[order], errors.distance, position | heading, end)
+        return cls(at[order], ok[order], errors.distance, beyond(errors, covariance), end)
 
     def longest_s(self, what: NDArray[np.bool_]) -> float:
         """Return the longest time without a break in which `what` (n,) holds."""

@@ -1,6 +1,7 @@
 """How the robot moves: piecewise constant speed and turn rate, and the true poses that follow."""
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,6 +53,17 @@ class Drive:
         i = np.minimum(np.searchsorted(self.utime, utime, side="right") - 1, len(self.v) - 1)
         dt = (utime - self.utime[i]) * 1e-6
         return _MODEL.step_each(self.pose[i], np.column_stack([self.v[i] * dt, self.omega[i] * dt]))
+
+    def displaced(self, k: int, pose: NDArray[np.float64]) -> "Drive":
+        """Return the same motion, but from the k-th stamp on it goes on from another pose (3,)."""
+        onward = _MODEL.path(pose, self.increments[k:])
+        return replace(self, pose=np.concatenate([self.pose[:k], onward]))
+
+    @property
+    def increments(self) -> NDArray[np.float64]:
+        """(n, 2) distance [m] and turn [rad] between the stamps."""
+        dt = np.diff(self.utime) * 1e-6
+        return np.column_stack([self.v * dt, self.omega * dt])
 
 
 def drive(start: NDArray[np.float64], v: NDArray[np.float64], omega: NDArray[np.float64]) -> Drive:
@@ -107,3 +119,12 @@ def rounds(duration_s: float) -> Drive:
     ramp = np.ones(RAMP_STEPS) / RAMP_STEPS
     v, omega = (np.convolve(rate, ramp)[: len(t)] for rate in rates)
     return drive(np.array([-4.0, -3.5, 0.0]), v, omega)
+
+
+DRIVES: dict[str, Callable[..., Drive]] = {
+    "spiral": spiral,
+    "circle": circle,
+    "figure-eight": figure_eight,
+    "rounds": rounds,
+}
+"""By the name that a scenario file calls them."""

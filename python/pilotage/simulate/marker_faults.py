@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import MarkerMap
 from ..evaluate import wrap_angle
 from .faults import Strike, joined
 from .streams import Stream
@@ -12,9 +13,7 @@ from .streams import Stream
 
 def wrong_id(stream: Stream, strike: Strike, share: float) -> Stream:
     """Sightings carry the number of another marker, each with a probability."""
-    known = np.sort(strike.markers.ids)
-    step = strike.rng.integers(1, len(known), len(stream))
-    other = known[(np.searchsorted(known, stream.id) + step) % len(known)]
+    other = other_ids(stream.id, strike.markers, strike.rng)
     wrong = strike.hit & (strike.rng.random(len(stream)) < share)
     return replace(stream, id=np.where(wrong, other, stream.id))
 
@@ -56,6 +55,15 @@ def phantom(stream: Stream, strike: Strike, share: float, reach_m: float) -> Str
     ghosts = replace(ghosts, value=value, id=strike.rng.choice(strike.markers.ids, len(ghosts)))
     together = joined(stream, ghosts)
     return together.rows(np.argsort(together.seq, kind="stable"))  # into the frames they haunt
+
+
+def other_ids(
+    ids: NDArray[np.int32], markers: MarkerMap, rng: np.random.Generator
+) -> NDArray[np.int32]:
+    """Return for each the number of another marker of the map, (n,)."""
+    known: NDArray[np.int32] = np.sort(markers.ids)
+    step = rng.integers(1, len(known), len(ids))
+    return np.asarray(known[(np.searchsorted(known, ids) + step) % len(known)])
 
 
 def _some_seen(stream: Stream, strike: Strike, besides: int | None = None) -> int:

@@ -1,7 +1,8 @@
 """What a simulated robot measures and records, and a configuration that suits it."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,8 @@ from ..evaluate import TRAJECTORY
 from .drives import Drive
 from .scenario import Scenario
 from .streams import Stream
+
+UNKNOWN_ID = -1
 
 
 @dataclass(frozen=True)
@@ -32,6 +35,8 @@ class Measured:
     Attributes
     ----------
     sightings : Stream by the sensor's name
+    kidnapped : int or None, µs
+        When the robot was carried elsewhere.
     """
 
     drive: Drive
@@ -39,6 +44,7 @@ class Measured:
     encoders: Stream
     gyro: Stream
     sightings: dict[str, Stream]
+    kidnapped: int | None = None
 
     def record(self) -> Recording:
         """Encode everything, in order of arrival."""
@@ -78,13 +84,21 @@ class Measured:
 def measure(scenario: Scenario, rng: np.random.Generator) -> Measured:
     """Drive and measure; all chance comes from `rng`."""
     markers = scenario.site(rng)
-    drive = scenario.drive(scenario.duration_s)
+    drive = scenario.start.placed(scenario.drive(scenario.duration_s), rng)
+    kidnapped = None
+    if scenario.kidnap is not None:
+        drive, kidnapped = scenario.kidnap.strike(drive, markers, rng)
+    tilt = None if scenario.tilt is None else scenario.tilt.angles(drive, rng)
     rates = Stream.sent(drive.utime, scenario.gyro.rates(drive, rng)[:, None])
     ticks = Stream.sent(drive.utime, scenario.encoders.ticks(drive, rng).astype(np.float64))
     sightings = {}
     for camera in scenario.cameras:
-        utime, marker, value = camera.sightings(drive, markers, rng)
+        utime, marker, value = camera.sightings(drive, markers, rng, tilt)
         seen = Stream.sent(utime, value, marker)
+        if scenario.outliers is not None:
+            seen = scenario.outliers.strike(seen, camera, markers, rng)
+        if not scenario.ids:
+            seen = replace(seen, id=np.full_like(seen.id, UNKNOWN_ID))
         sightings[camera.name] = seen.late(scenario.latency_s, scenario.jitter_s, rng)
     return Measured(
         drive,
@@ -92,6 +106,7 @@ def measure(scenario: Scenario, rng: np.random.Generator) -> Measured:
         encoders=ticks.late(0.0, scenario.jitter_s, rng),
         gyro=rates.late(0.0, scenario.jitter_s, rng),
         sightings=sightings,
+        kidnapped=kidnapped,
     )
 
 
@@ -109,23 +124,28 @@ def simulate(
 
 
 def suitable_config(scenario: Scenario, markers: MarkerMap, drive: Drive) -> Config:
-    """Return the configuration of a robot whose engineer knows its sensors, from the true start."""
+    """Return the configuration of a robot whose engineer knows its sensors."""
     config = Config()
     config.map = markers
     encoders, gyro = scenario.encoders, scenario.gyro
-    values: dict[str, float] = {
+    position, heading = scenario.prior()
+    values: dict[str, Any] = {
         "encoders.left_m_per_tick": encoders.m_per_tick,
         "encoders.right_m_per_tick": encoders.m_per_tick,
         "encoders.track_width_m": encoders.track_width_m,
         "noise.wheel_m_per_sqrt_m": encoders.noise_m_per_sqrt_m,
         "noise.gyro_rad_per_sqrt_s": gyro.noise_rad_per_sqrt_s,
         "noise.position_m_per_sqrt_m": 0.0,  # all that is uncertain of this motion is its sensors
-        "calibration.gyro_bias.sigma": max(abs(gyro.bias_rad_s), 1e-3),
+        "calibration.gyro_bias.sigma": gyro.bias_sigma_rad_s,
         "calibration.gyro_bias.walk": gyro.walk_rad_s_per_sqrt_s,
-        "calibration.distance_scale.sigma": max(encoders.slip, 0.01),
+        "calibration.distance_scale.sigma": encoders.scale_sigma,
+        "initial.sigma_position_m": position,
+        "initial.sigma_heading_rad": heading,
     }
-    for name, value in zip(("x_m", "y_m", "heading_rad"), drive.pose[0], strict=True):
-        values[f"initial.{name}"] = float(value)
+    if scenario.start.known:
+        told = drive.pose[0] + scenario.start.error
+        for name, value in zip(("x_m", "y_m", "heading_rad"), told, strict=True):
+            values[f"initial.{name}"] = float(value)
     for camera in scenario.cameras:
         prefix = f"sensors.{camera.name}."
         for name, value in zip(("x_m", "y_m", "z_m", "yaw_rad"), camera.mounting, strict=True):
@@ -135,7 +155,7 @@ def suitable_config(scenario: Scenario, markers: MarkerMap, drive: Drive) -> Con
         ):
             if sigma > 0:
                 values[prefix + name] = sigma
-    for key, number in values.items():
+    for key, number in (values | scenario.config).items():
         config[key] = number
     return config
 

@@ -2,13 +2,16 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
-from .. import MarkerMap
+from .. import Config, MarkerMap
 from . import drives, worlds
+from .chances import Kidnap, Outliers, Start
 from .drives import Drive
 from .sensors import Camera, Encoders, Gyro
+from .tilt import Tilt
 
 EXACT_M_PER_TICK = 1e-12
 """Ticks so fine that they quantise nothing, in a simulation without noise."""
@@ -31,6 +34,43 @@ class Scenario:
     """From a frame's capture to its arrival; its stamp tells the capture."""
     jitter_s: float = 0.0
     """Mean of what every message's way takes besides, exponentially distributed."""
+    start: Start = field(default_factory=Start)
+    outliers: Outliers | None = None
+    tilt: Tilt | None = None
+    kidnap: Kidnap | None = None
+    ids: bool = True
+    """Whether sightings say which marker they are of."""
+    config: dict[str, Any] = field(default_factory=dict)
+    """Keys of the configuration, dotted, that differ from those of a suitable one."""
+
+    def prior(self) -> tuple[float, float]:
+        """Return the stated sigmas of the start: of x and of y [m], and of heading [rad]."""
+        config, start = Config(), self.start
+        position, heading = start.sigma_position_m, start.sigma_heading_rad
+        return (
+            config["initial.sigma_position_m"] if position is None else position,
+            config["initial.sigma_heading_rad"] if heading is None else heading,
+        )
+
+    def drawn(self, rng: np.random.Generator) -> "Scenario":
+        """Return one robot of those that it may be: start, bias and scale differ as known before.
+
+        Without this the robot is told its true start, and its calibration is the nominal one.
+        """
+        position, heading = self.prior()
+        sigma = self.start.error_factor * np.array([position, position, heading])
+        x, y, turn = (float(error) for error in sigma * rng.standard_normal(3))
+        encoders, gyro = self.encoders, self.gyro
+        bias = gyro.bias_rad_s + gyro.bias_sigma_rad_s * float(rng.standard_normal())
+        left, right = (1.0 + encoders.scale_sigma * rng.standard_normal()) * np.array(
+            encoders.scale
+        )
+        return replace(
+            self,
+            start=replace(self.start, error=(x, y, turn)),
+            gyro=replace(gyro, bias_rad_s=bias),
+            encoders=replace(encoders, scale=(float(left), float(right))),
+        )
 
     def with_noise(self, factor: float) -> "Scenario":
         """Return the same with every noise times a factor; 0 also ends the ticks' quantisation."""

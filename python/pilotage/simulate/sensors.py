@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from .. import MarkerMap, MarkerModel
 from ..evaluate import wrap_angle
 from .drives import Drive
+from .tilt import tilted
 
 COMPONENTS = ("bearing", "elevation", "range")
 
@@ -23,14 +24,22 @@ class Encoders:
     """Part of the measured travel that moves nothing, both wheels."""
     scale: tuple[float, float] = (1.0, 1.0)
     """Measured over true travel of the left and the right wheel, as by a tyre's wear."""
+    scale_sigma: float = 0.01
+    """How well the scale of both is known beforehand; 0: exactly."""
+
+    def travel(self, drive: Drive) -> NDArray[np.float64]:
+        """(n, 2) travel of the left and the right wheel over each step as without noise, m."""
+        middle, half = (drive.increments * (1.0, self.track_width_m / 2)).T
+        return np.column_stack([middle - half, middle + half]) * self.scale / (1.0 - self.slip)
+
+    def variance(self, travel: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Of the noise of each travel [m²]."""
+        return np.asarray(self.noise_m_per_sqrt_m**2 * np.abs(travel))
 
     def ticks(self, drive: Drive, rng: np.random.Generator) -> NDArray[np.int64]:
         """(n + 1, 2) absolute ticks, left and right, at the drive's stamps."""
-        dt = np.diff(drive.utime) * 1e-6
-        middle, half = drive.v * dt, drive.omega * dt * self.track_width_m / 2
-        travel = np.column_stack([middle - half, middle + half]) * self.scale / (1.0 - self.slip)
-        sigma = self.noise_m_per_sqrt_m * np.sqrt(np.abs(travel))
-        travel += sigma * rng.standard_normal(travel.shape)
+        travel = self.travel(drive)
+        travel += np.sqrt(self.variance(travel)) * rng.standard_normal(travel.shape)
         total = np.vstack([np.zeros((1, 2)), np.cumsum(travel, axis=0)])
         return np.rint(total / self.m_per_tick).astype(np.int64)
 
@@ -44,6 +53,8 @@ class Gyro:
     """At the start."""
     walk_rad_s_per_sqrt_s: float = 0.0
     """Random walk of the bias."""
+    bias_sigma_rad_s: float = 1e-3
+    """How well the bias at the start is known beforehand; 0: exactly."""
 
     def rates(self, drive: Drive, rng: np.random.Generator) -> NDArray[np.float64]:
         """(n + 1,) mean rate over the interval that ends at each stamp, rad/s."""
@@ -70,10 +81,28 @@ class Camera:
     dropout: float = 0.0
     """Part of what is in view that it misses."""
 
+    def __post_init__(self) -> None:
+        if not self.components or not set(self.components) <= set(COMPONENTS):
+            raise ValueError(
+                f"components are {', '.join(self.components) or 'none'}, "
+                f"expected some of {', '.join(COMPONENTS)}"
+            )
+        if self.rate_hz <= 0.0:
+            raise ValueError(f"rate_hz is {self.rate_hz:g}, expected above 0")
+
     def sightings(
-        self, drive: Drive, markers: MarkerMap, rng: np.random.Generator
+        self,
+        drive: Drive,
+        markers: MarkerMap,
+        rng: np.random.Generator,
+        tilt: NDArray[np.float64] | None = None,
     ) -> tuple[NDArray[np.int64], NDArray[np.int32], NDArray[np.float64]]:
         """Look at every frame's own time.
+
+        Parameters
+        ----------
+        tilt : (n + 1, 2) float, rad
+            Pitch and roll of the body at the drive's stamps; None: it stands level.
 
         Returns
         -------
@@ -84,18 +113,37 @@ class Camera:
         period = round(1e6 / self.rate_hz)
         first = int(drive.utime[0]) + int(rng.integers(1, period))
         utime = np.arange(first, int(drive.utime[-1]), period, dtype=np.int64)
-        exact = np.stack([self.look(drive, p, utime) for p in markers.positions], axis=1)
-        in_view = (exact[..., 2] <= self.reach_m) & (np.abs(exact[..., 0]) <= self.half_view_rad)
-        in_view &= rng.random(in_view.shape) >= self.dropout
-        frame, marker = np.nonzero(in_view)
+        exact = self.look_at_all(drive, markers, utime)
+        seen = self.in_view(exact) & (rng.random(exact.shape[:2]) >= self.dropout)
+        if tilt is not None:
+            newest = np.searchsorted(drive.utime, utime, side="right") - 1
+            exact = tilted(exact, tilt[newest], self.mounting[3])
+        frame, marker = np.nonzero(seen)
         value = exact[frame, marker]
         value += np.array(self.sigma) * rng.standard_normal(value.shape)
         value[:, 0] = wrap_angle(value[:, 0])
         value[:, [c not in self.components for c in COMPONENTS]] = np.nan
         return utime[frame], markers.ids[marker], value
 
+    def in_view(self, exact: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """(f, m) whether what would be measured, (f, m, 3), is near enough and not behind."""
+        near, before = exact[..., 2] <= self.reach_m, np.abs(exact[..., 0]) <= self.half_view_rad
+        return np.asarray(near & before)
+
+    def look_at_all(
+        self, drive: Drive, markers: MarkerMap, utime: NDArray[np.int64]
+    ) -> NDArray[np.float64]:
+        """Exact bearing, elevation and range (f, m, 3) of all markers, at times (f,) µs."""
+        poses = drive.at(utime)
+        return np.stack([self._look(p, poses) for p in markers.positions], axis=1)
+
     def look(
         self, drive: Drive, marker: NDArray[np.float64], utime: NDArray[np.int64]
     ) -> NDArray[np.float64]:
         """Exact bearing, elevation and range (n, 3) of a marker at x, y, z, at times (n,)."""
-        return MarkerModel(marker, list(COMPONENTS), self.mounting).predict(drive.at(utime))
+        return self._look(marker, drive.at(utime))
+
+    def _look(self, marker: NDArray[np.float64], poses: NDArray[np.float64]) -> NDArray[np.float64]:
+        exact = MarkerModel(marker, list(COMPONENTS), self.mounting).predict(poses)
+        exact[:, 0] = wrap_angle(exact[:, 0])  # a model's bearings differ from these by turns
+        return exact

@@ -1,8 +1,30 @@
 """Where the markers stand."""
 
+from collections.abc import Callable
+from dataclasses import dataclass
+
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import MarkerMap
+
+
+@dataclass(frozen=True)
+class Surveyed:
+    """A site that is the same in every run; a MarkerMap itself cannot go to another process."""
+
+    ids: NDArray[np.int32]
+    positions: NDArray[np.float64]
+    sigmas: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, markers: MarkerMap) -> "Surveyed":
+        """Take the markers of a map."""
+        return cls(markers.ids, markers.positions, markers.sigmas)
+
+    def __call__(self, _: np.random.Generator) -> MarkerMap:
+        """Return the map."""
+        return MarkerMap(self.ids, self.positions, self.sigmas)
 
 
 def mower_site(rng: np.random.Generator) -> MarkerMap:
@@ -47,3 +69,12 @@ def yard() -> MarkerMap:
 
 def _on_ground(xy: np.ndarray) -> MarkerMap:
     return MarkerMap(np.arange(len(xy)), np.column_stack([xy, np.zeros(len(xy))]))
+
+
+SITES: dict[str, Callable[[np.random.Generator], MarkerMap]] = {
+    "mower": mower_site,
+    "four-poles": lambda _: four_poles(),
+    "hall": hall,
+    "yard": lambda _: yard(),
+}
+"""By the name that a scenario file calls them."""

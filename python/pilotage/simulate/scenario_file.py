@@ -1,0 +1,149 @@
+"""Scenario files: a user's own site, drive, sensors and chances, to simulate and to measure.
+
+An example with every key stands in docs/montecarlo.md; what is left out is as in the dataclasses.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+import yaml
+
+from .. import Config, MarkerMap
+from .chances import Kidnap, Outliers, Start
+from .drives import DRIVES, Drive
+from .fields import call, known_keys, mapping, read_yaml, value_of
+from .scenario import SCENARIOS, Scenario
+from .sensors import Camera, Encoders, Gyro
+from .tilt import Tilt
+from .waypoints import waypoints
+from .worlds import SITES, Surveyed
+
+PARTS: dict[str, Callable[..., Any]] = {
+    "encoders": Encoders,
+    "gyro": Gyro,
+    "start": Start,
+    "outliers": Outliers,
+    "tilt": Tilt,
+    "kidnap": Kidnap,
+}
+VALUES = {"duration_s": float, "latency_s": float, "jitter_s": float, "ids": bool}
+KEYS = ("site", "drive", "sensors", "config", *VALUES, *PARTS)
+MOUNTING = ("x_m", "y_m", "z_m", "yaw_rad")
+SIGMAS = ("sigma_bearing_rad", "sigma_elevation_rad", "sigma_range_m")
+
+
+def find_scenario(name: str, others: Mapping[str, Any] = MappingProxyType({})) -> Scenario:
+    """Return a scenario by its name, or read it from a file.
+
+    Parameters
+    ----------
+    others : mapping
+        Contents as of files, by further names.
+
+    Raises
+    ------
+    ValueError
+        If there is neither, or the file cannot be used.
+    """
+    if name in SCENARIOS:
+        return SCENARIOS[name]
+    if name in others:
+        return parse_scenario(others[name], name)
+    if Path(name).is_file():
+        return parse_scenario(read_yaml(Path(name)), name)
+    raise ValueError(
+        f"no scenario '{name}', and no such file; there are {', '.join([*SCENARIOS, *others])}; "
+        "docs/montecarlo.md shows a file of your own"
+    )
+
+
+def parse_scenario(content: Any, name: str) -> Scenario:
+    """Make a scenario of a file's content; paths in it are relative to the file `name`."""
+    content = mapping(content, name)
+    known_keys(content, KEYS, name)
+    for key in ("site", "drive", "duration_s", "sensors"):
+        if key not in content:
+            raise ValueError(f"{name}: '{key}' is missing")
+    parts = {
+        key: call(PARTS[key], content[key], f"{name}: {key}") for key in PARTS if key in content
+    }
+    values = {
+        key: value_of(VALUES[key], content[key], f"{name}: {key}")
+        for key in VALUES
+        if key in content
+    }
+    sensors = mapping(content["sensors"], f"{name}: sensors")
+    scenario = Scenario(
+        name=Path(name).name.removesuffix(".yaml"),
+        site=_site(content["site"], name),
+        drive=_drive(content["drive"], f"{name}: drive"),
+        cameras=tuple(_camera(s, sensors[s], f"{name}: sensors.{s}") for s in sensors),
+        config=dict(_dotted(mapping(content.get("config", {}), f"{name}: config"))),
+        **parts,
+        **values,
+    )
+    if not 1.0 <= scenario.duration_s <= 1e5:
+        raise ValueError(f"{name}: duration_s is {scenario.duration_s:g}, expected 1 to 1e5")
+    if not scenario.cameras:
+        raise ValueError(f"{name}: sensors has none, expected one or more")
+    return scenario
+
+
+def _site(content: Any, name: str) -> Callable[[np.random.Generator], MarkerMap]:
+    """A named site, the path of a map file, or the markers themselves."""
+    if isinstance(content, str):
+        if content in SITES:
+            return SITES[content]
+        file = Path(name).parent / content
+        if not file.is_file():
+            raise ValueError(
+                f"{name}: no site '{content}', and no file {file}; there are {', '.join(SITES)}"
+            )
+        markers = MarkerMap.load(str(file))
+    else:
+        try:
+            markers = Config.parse(yaml.safe_dump({"map": content})).map
+        except ValueError as error:
+            raise ValueError(f"{name}: site: {str(error).split(': ', 1)[-1]}") from error
+    return Surveyed.of(markers)
+
+
+def _drive(content: Any, where: str) -> Callable[[float], Drive]:
+    """A drive by its name, one with parameters, or waypoints."""
+    content = {"name": content} if isinstance(content, str) else dict(mapping(content, where))
+    if "waypoints" in content:
+        function: Callable[..., Drive] = waypoints
+    else:
+        named = content.pop("name", None)
+        if named not in DRIVES:
+            raise ValueError(f"{where} has no 'waypoints', and no name of {', '.join(DRIVES)}")
+        function = DRIVES[named]
+    make = partial(call, function, content, where)
+    make(duration_s=1.0)  # what is wrong is said now
+    return lambda duration_s: make(duration_s=duration_s)
+
+
+def _camera(name: str, content: Any, where: str) -> Camera:
+    """One sensor; where it sits and how well it measures are named as in the configuration."""
+    content = dict(mapping(content, where))
+    flat = {
+        field: tuple(
+            value_of(float, content.pop(key, default), f"{where}.{key}")
+            for key, default in zip(keys, getattr(Camera(name), field), strict=True)
+        )
+        for field, keys in (("mounting", MOUNTING), ("sigma", SIGMAS))
+    }
+    return call(Camera, content, where, name=name, **flat)
+
+
+def _dotted(content: dict[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
+    """Keys of the configuration, whether they stand in sections or with dots."""
+    for key, value in content.items():
+        if isinstance(value, dict):
+            yield from _dotted(value, f"{prefix}{key}.")
+        else:
+            yield prefix + key, value

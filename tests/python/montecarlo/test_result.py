@@ -1,0 +1,111 @@
+"""What is said of runs that were made by hand."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pilotage.lcmtypes import status_t
+from pilotage.montecarlo import MonteCarlo
+from pilotage.montecarlo.measures import OF_RUNS
+from pilotage.montecarlo.summary import lost_text
+from pilotage.montecarlo.trial import NO_POSE, PARTS, Trial
+
+G = 100  # times, 0.1 s apart
+OK, LOST = status_t.OK, status_t.LOST
+
+
+def _result(**changes: Any) -> MonteCarlo:
+    """One run that is right, OK and sees two markers in ten frames a second."""
+    every = np.arange(G)
+    trial: dict[str, Any] = {
+        "distance": np.full((1, G), 0.01),
+        "heading": np.zeros((1, G)),
+        "nees": np.full((1, G), 3.0),
+        "status": np.full((1, G), OK, dtype=np.int8),
+        "wrong": np.zeros((1, G), dtype=bool),
+        "in_view": np.full((1, G), 2),
+        "pairs": every[None],
+        "triples": every[None],
+        "kidnapped": np.array([G]),
+        "nis": np.ones((1, 1, PARTS, 10)),
+        "dof": np.ones((1, 1, PARTS, 10)),
+    }
+    time_s = every * 0.1
+    return MonteCarlo("hand", 1, time_s, Trial(**trial | changes), [("eye", ("bearing",))], None)
+
+
+def _when(first: int, last: int, inside: Any, outside: Any) -> np.ndarray:
+    at = np.arange(G)
+    return np.where((first <= at) & (at < last), inside, outside)[None]
+
+
+def _measured(name: str, **changes: Any) -> Any:
+    return OF_RUNS[name].of(_result(**changes))
+
+
+def test_all_is_well():
+    assert _measured("rmse_m") == pytest.approx(0.01)
+    assert _measured("anees") == pytest.approx(1.0)
+    assert _measured("nis") == [1.0]
+    assert _measured("lost") == _measured("wrong_ok") == 0.0
+    assert _measured("ok") == 1.0
+    assert np.isnan(_measured("recovered"))
+    assert np.isnan(_measured("over_bound"))
+
+
+@pytest.mark.parametrize(("first", "lost"), [(40, 0.0), (52, 1.0), (99, 1.0)])
+def test_lost_is_far_off_in_the_last_five_seconds(first: int, lost: float):
+    assert _measured("lost", distance=_when(first, first + 1, 1.1, 0.01)) == lost
+
+
+def test_lost_runs_are_named_with_what_shows_one():
+    result = _result(distance=np.full((1, G), np.nan))
+    words = lost_text(result, "site.yaml")
+    assert words.startswith("lost: 0; ")
+    assert "pilotage simulate site.yaml --seed 1 --run 0 -o" in words
+
+
+@pytest.mark.parametrize(
+    ("ok_again", "pairs_seen", "recovered"),
+    [(60, 2, 1.0), (80, 2, 1.0), (95, 2, 0.0), (85, 1, 1.0), (100, 2, 0.0)],
+)
+def test_recovery_counts_the_time_with_two_markers_in_view(ok_again, pairs_seen, recovered):
+    status = _when(32, ok_again, LOST, OK).astype(np.int8)
+    wrong = _when(30, min(ok_again, 60), True, False)
+    changes = {
+        "status": status,
+        "wrong": wrong,
+        "kidnapped": np.array([30]),
+        "in_view": np.full((1, G), pairs_seen),
+    }
+    assert _measured("recovered", **changes) == recovered
+
+
+@pytest.mark.parametrize(("not_ok_from", "honest"), [(32, 1.0), (33, 1.0), (36, 0.0)])
+def test_from_the_third_pair_on_it_may_not_be_ok(not_ok_from: int, honest: float):
+    changes = {
+        "status": _when(not_ok_from, 60, LOST, OK).astype(np.int8),
+        "wrong": _when(30, 60, True, False),
+        "kidnapped": np.array([30]),
+    }
+    assert _measured("honest", **changes) == honest
+
+
+@pytest.mark.parametrize(
+    ("first_ok", "wrong", "right_or_undecided", "decided"),
+    [(8, False, 1.0, 1.0), (20, False, 1.0, 0.0), (8, True, 0.0, 0.0), (G, False, 1.0, 0.0)],
+)
+def test_a_start_is_decided_by_its_first_ok(first_ok, wrong, right_or_undecided, decided):
+    changes = {
+        "status": _when(first_ok, G, OK, NO_POSE).astype(np.int8),
+        "wrong": np.full((1, G), wrong),
+    }
+    assert _measured("right_or_undecided", **changes) == right_or_undecided
+    assert _measured("decided", **changes) == decided
+
+
+def test_ambiguous_is_so_to_the_end_and_never_ok():
+    ambiguous = np.full((1, G), status_t.AMBIGUOUS, dtype=np.int8)
+    assert _measured("ambiguous", status=ambiguous) == 1.0
+    assert _measured("ambiguous", status=_when(5, 6, OK, ambiguous[0]).astype(np.int8)) == 0.0

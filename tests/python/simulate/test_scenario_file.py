@@ -1,0 +1,131 @@
+"""Scenario files: all that can be said in one, and errors that name what is wrong."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import yaml
+
+from pilotage.simulate import SCENARIOS, find_scenario, measure, suitable_config
+
+LEAST: dict[str, Any] = {
+    "site": "yard",
+    "drive": "rounds",
+    "duration_s": 5,
+    "sensors": {"eye": {"sigma_bearing_rad": 0.02}},
+}
+
+
+def _write(folder: Path, **changes: Any) -> Path:
+    file = folder / "site.yaml"
+    file.write_text(yaml.safe_dump(LEAST | changes))
+    return file
+
+
+def test_the_example_in_the_documentation_is_read_with_every_key(tmp_path: Path):
+    page = (Path(__file__).parents[3] / "docs" / "montecarlo.md").read_text()
+    example = re.findall(r"^```yaml\n(.*?)^```", page, re.M | re.S)[0]
+    file = tmp_path / "site.yaml"
+    file.write_text(example)
+    scenario = find_scenario(str(file))
+    assert scenario.name == "site"
+    measured = measure(scenario, np.random.default_rng(1))
+    assert sum(map(len, measured.sightings.values())) > 0
+    config = suitable_config(scenario, measured.markers, measured.drive)
+    assert config["sensors.scanner.fusion"] == "student_t"
+
+
+def test_a_name_is_one_of_the_simulators():
+    assert find_scenario("yard") is SCENARIOS["yard"]
+
+
+def test_a_map_file_is_found_beside_the_scenario(tmp_path: Path):
+    (tmp_path / "markers.yaml").write_text("- {id: 7, x: 1, y: 2, z: 0.5}\n")
+    scenario = find_scenario(str(_write(tmp_path, site="markers.yaml")))
+    assert scenario.site(np.random.default_rng(0)).ids.tolist() == [7]
+
+
+def test_a_sensor_is_described_as_in_the_configuration(tmp_path: Path):
+    eye = {"x_m": 0.3, "yaw_rad": 1.5, "sigma_range_m": 0.07, "rate_hz": 4}
+    (camera,) = find_scenario(str(_write(tmp_path, sensors={"eye": eye}))).cameras
+    assert camera.name == "eye"
+    assert camera.mounting[0] == 0.3
+    assert camera.mounting[3] == 1.5
+    assert camera.sigma[2] == 0.07
+    assert camera.rate_hz == 4.0
+
+
+def test_keys_of_the_configuration_stand_in_sections_or_with_dots(tmp_path: Path):
+    config = {"sensors.eye.fusion": "gate", "status": {"alert_limit_m": 0.5}}
+    scenario = find_scenario(str(_write(tmp_path, config=config)))
+    measured = measure(scenario, np.random.default_rng(1))
+    suitable = suitable_config(scenario, measured.markers, measured.drive)
+    assert suitable["sensors.eye.fusion"] == "gate"
+    assert suitable["status.alert_limit_m"] == 0.5
+
+
+def test_numbers_without_a_point_are_numbers(tmp_path: Path):
+    file = _write(tmp_path)
+    file.write_text(file.read_text() + "gyro: {bias_sigma_rad_s: 1e-4}\n")
+    assert find_scenario(str(file)).gyro.bias_sigma_rad_s == 1e-4
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"sensor": {}}, "unknown key 'sensor'; the nearest known key is 'sensors'"),
+        ({"gyro": {"bias_rad": 1}}, "gyro: unknown key 'bias_rad'; .* 'bias_rad_s'"),
+        ({"gyro": {"bias_rad_s": "much"}}, "gyro.bias_rad_s is 'much', expected a number"),
+        ({"gyro": {"bias_rad_s": float("nan")}}, "gyro.bias_rad_s is nan, expected a number"),
+        ({"gyro": 3}, "gyro is 3, expected keys with values"),
+        ({"ids": "no"}, "ids is 'no', expected true or false"),
+        ({"site": "field"}, "no site 'field', and no file .*field; there are mower, "),
+        ({"site": [{"id": 1, "x": 0}]}, "site: .*y"),
+        ({"site": []}, "site: .*marker"),
+        ({"drive": "slalom"}, "drive .* spiral, circle"),
+        ({"drive": {"name": "circle", "radius": 1}}, "drive: unknown key 'radius'; .*'radius_m'"),
+        ({"drive": {"waypoints": [[0, 0]]}}, "drive: .* two points or more"),
+        ({"drive": {"waypoints": [[0, 0], [1]]}}, r"waypoints\[1\] is \[1\], expected 2 values"),
+        ({"drive": {"waypoints": [[0, 0], [0, 0]]}}, "are the same"),
+        ({"duration_s": 0.2}, "duration_s is 0.2, expected 1 to 1e5"),
+        ({"sensors": {}}, "sensors has none"),
+        ({"sensors": {"eye": {"rate": 2}}}, "sensors.eye: unknown key 'rate'; .*'rate_hz'"),
+        ({"sensors": {"eye": {"components": ["colour"]}}}, "components are colour, expected some"),
+        ({"sensors": {"eye": {"rate_hz": 0}}}, "rate_hz is 0, expected above 0"),
+        ({"outliers": {}}, "outliers: 'share' is missing"),
+        ({"outliers": {"share": 2}}, "share is 2, expected 0 to 1"),
+        ({"outliers": {"share": 0.1, "kind": "odd"}}, "kind is 'odd', expected bearing, id or"),
+        ({"start": {"x_m": [0, 1]}}, "start: x_m and y_m"),
+        ({"kidnap": {"at_s": 3}}, "kidnap.at_s is 3, expected a list"),
+    ],
+)
+def test_what_is_wrong_is_named_with_its_place(tmp_path: Path, changes, words: str):
+    file = _write(tmp_path, **changes)
+    with pytest.raises(ValueError, match=words) as error:
+        find_scenario(str(file))
+    assert str(error.value).startswith(str(file))
+
+
+@pytest.mark.parametrize("key", ["site", "drive", "duration_s", "sensors"])
+def test_what_is_missing_is_named(tmp_path: Path, key: str):
+    file = tmp_path / "site.yaml"
+    file.write_text(yaml.safe_dump({k: v for k, v in LEAST.items() if k != key}))
+    with pytest.raises(ValueError, match=f"'{key}' is missing"):
+        find_scenario(str(file))
+
+
+def test_a_key_that_stands_twice_and_what_is_no_yaml_are_named_with_the_line(tmp_path: Path):
+    file = tmp_path / "site.yaml"
+    file.write_text("site: yard\ngyro:\n  bias_rad_s: 1\n  bias_rad_s: 2\n")
+    with pytest.raises(ValueError, match="line 3: the key 'bias_rad_s' stands there twice"):
+        find_scenario(str(file))
+    file.write_text("site: [\n")
+    with pytest.raises(ValueError, match="line 2"):
+        find_scenario(str(file))
+
+
+def test_neither_a_name_nor_a_file_is_named_with_what_there_is():
+    with pytest.raises(ValueError, match="no scenario 'square', and no such file; there are mower"):
+        find_scenario("square")
