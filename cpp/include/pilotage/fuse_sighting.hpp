@@ -87,10 +87,39 @@ template <typename Scalar, int N>
     SightingReport report = blank_report(sample, Verdict::unknown_marker);
     const Marker* marker = map.find(sighting.id);
     if (marker == nullptr) return report;
-    const bool measured = with_components<Scalar>(sighting, sensor, [&](const auto&... components) {
+    const Bearing<Scalar> bearing{};
+    const Elevation<Scalar> elevation{};
+    const auto range = [&]() -> Range<Scalar> {
+        return {Scalar(sensor.range_scale), Scalar(sensor.range_offset_m)};
+    };
+    const auto fuse = [&](const auto&... components) {
         fuse_components(filter, *marker, sighting, sensor, policy, report, components...);
-    });
-    if (!measured) report.verdict = Verdict::bad_value;
+    };
+    switch (measured_components(sighting)) {
+        case 0b001:
+            fuse(bearing);
+            break;
+        case 0b010:
+            fuse(elevation);
+            break;
+        case 0b100:
+            fuse(range());
+            break;
+        case 0b011:
+            fuse(bearing, elevation);
+            break;
+        case 0b101:
+            fuse(bearing, range());
+            break;
+        case 0b110:
+            fuse(elevation, range());
+            break;
+        case 0b111:
+            fuse(bearing, elevation, range());
+            break;
+        default:
+            report.verdict = Verdict::bad_value;
+    }
     return report;
 }
 
