@@ -18,20 +18,21 @@ class MarkerMap:
     @staticmethod
     def load(path: str) -> MarkerMap:
         """
-        Reads a YAML list of {id, x, y, z, sigma}; ValueError names file, line and value.
+        Reads a YAML list of {id, x, y, z, sigma, label}; ValueError names file, line and value.
         """
-    def __init__(self, ids: typing.Annotated[numpy.typing.ArrayLike, numpy.int32], positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], sigmas: typing.Any = 0.0) -> None:
+    def __init__(self, ids: typing.Annotated[numpy.typing.ArrayLike, numpy.int32], positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], sigmas: typing.Any = 0.0, labels: typing.Annotated[numpy.typing.ArrayLike, numpy.int32] | None = None) -> None:
         """
         Parameters
         ----------
         ids : (n,) int, 0 or more, each once
         positions : (n, 3) float, x, y in frame map and z above the ground [m]
         sigmas : float or (n,) float, standard deviation of the survey in x and in y [m]
+        labels : (n,) int, class of look-alike markers (a pole's colour), -1 none; none at all if left out
         
         Raises
         ------
         ValueError
-            If the map is empty, an id comes twice or a number is not finite.
+            If the map is empty, an id comes twice, a number is not finite or a label is below -1.
         """
     def __len__(self) -> int:
         ...
@@ -45,6 +46,11 @@ class MarkerMap:
     def ids(self) -> numpy.typing.NDArray[numpy.int32]:
         """
         (n,) int32
+        """
+    @property
+    def labels(self) -> numpy.typing.NDArray[numpy.int32]:
+        """
+        (n,) int32, -1 where there is none
         """
     @property
     def positions(self) -> numpy.typing.NDArray[numpy.float64]:

@@ -1,4 +1,4 @@
-"""Real recordings with all ids removed: what association costs, and that it is never sure of wrong."""
+"""Real recordings without ids: what association costs, and that it is never sure of wrong."""
 
 from pathlib import Path
 

@@ -125,6 +125,37 @@ template <bool kHold, typename Scalar, int N, typename... Components>
     }
 }
 
+/// Calls visit(component, ...) with the models of the components that a sighting has. \return
+/// whether it has any
+template <typename Scalar, typename Visit>
+[[gnu::always_inline]] inline bool with_components(const Sighting& sighting,
+                                                   const MarkerSensorParams& sensor,
+                                                   const Visit& visit) noexcept {
+    const Bearing<Scalar> bearing{};
+    const Elevation<Scalar> elevation{};
+    const auto range = [&]() -> Range<Scalar> {
+        return {Scalar(sensor.range_scale), Scalar(sensor.range_offset_m)};
+    };
+    switch (measured_components(sighting)) {
+        case 0b001:
+            return visit(bearing), true;
+        case 0b010:
+            return visit(elevation), true;
+        case 0b100:
+            return visit(range()), true;
+        case 0b011:
+            return visit(bearing, elevation), true;
+        case 0b101:
+            return visit(bearing, range()), true;
+        case 0b110:
+            return visit(elevation, range()), true;
+        case 0b111:
+            return visit(bearing, elevation, range()), true;
+        default:
+            return false;
+    }
+}
+
 /// Of a sighting beyond the gate: where the rest is within, only the elevation is wrong, as by a
 /// tilt, and is left out; else nothing tells them apart, and the rule of fusion decides.
 template <typename Scalar, int N>

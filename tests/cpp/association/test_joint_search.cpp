@@ -64,22 +64,25 @@ TYPED_TEST(JointSearchTest, TakesNothingFromTheHeap) {
     EXPECT_EQ(allocations.since(), 0);
 }
 
-/// log N(z - h; 0, H P H' + R) of all pairings as one vector, less the strays' density: what the
-/// sequence of updates has to add up to.
+/// log N(z - h; 0, H P H' + R) of all pairings as one vector of bearings and ranges, less the
+/// strays' density: what the sequence of updates has to add up to.
 double log_odds_at_once(const std::vector<const Pairing<double>*>& pairings,
                         const Matrix<double, 3>& covariance) {
-    int rows = 0;
-    double stray = 0;
-    for (const auto* p : pairings) rows += p->dof, stray += p->stray;
+    const auto rows = 2 * static_cast<Eigen::Index>(pairings.size());
     if (rows == 0) return 0;
     Eigen::MatrixXd h(rows, 3), r = Eigen::MatrixXd::Zero(rows, rows);
     Eigen::VectorXd innovation(rows);
-    int at = 0;
+    double stray = 0;
+    Eigen::Index at = 0;
     for (const auto* p : pairings) {
-        h.middleRows(at, p->dof) = p->jacobian.topRows(p->dof);
-        r.block(at, at, p->dof, p->dof) = p->noise.topLeftCorner(p->dof, p->dof);
-        innovation.segment(at, p->dof) = p->innovation.head(p->dof);
-        at += p->dof;
+        stray += p->stray;
+        const int measured[] = {kBearing, kRange};
+        for (int i = 0; i < 2; ++i) {
+            h.row(at + i) = p->jacobian.row(measured[i]);
+            innovation[at + i] = p->innovation[measured[i]];
+            for (int j = 0; j < 2; ++j) r(at + i, at + j) = p->noise(measured[i], measured[j]);
+        }
+        at += 2;
     }
     const Eigen::MatrixXd s = h * covariance * h.transpose() + r;
     return -(innovation.dot(s.inverse() * innovation) + std::log(s.determinant())) / 2 - stray;

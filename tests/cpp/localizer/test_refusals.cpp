@@ -71,9 +71,10 @@ TEST_P(RefusalTest, ASightingOfNothingIsBad) {
 }
 
 TEST_P(RefusalTest, AMarkerThatTheMapDoesNotNameIsUnknown) {
-    for (const std::int32_t id : {-1, 0, 3, 2147483647})
+    for (const std::int32_t id : {-2, 0, 3, 2147483647})
         expect_refused(GetParam(), sighting_at(kNow, id, {0.1, kNan, kNan}),
                        Verdict::unknown_marker);
+    expect_refused(GetParam(), sighting_at(kNow, kUnknownId, {0.1, kNan, kNan}), Verdict::no_match);
 }
 
 TEST_P(RefusalTest, AMarkerUnderTheSensorIsTooClose) {

@@ -12,23 +12,27 @@
 
 namespace pilotage {
 
-/// Density of what is seen of no marker of the map (a reflection, another robot), by component
-/// [1/rad, 1/rad, 1/m]: any bearing, any elevation, any range up to 10 m. A pairing has to be
-/// likelier than this.
-inline constexpr double kStrayDensity[] = {0.159, 0.318, 0.1};
+/// Log density of what is seen of no marker of the map (a reflection, another robot), by component:
+/// any bearing (1 / 2 pi rad), any elevation (1 / pi rad), any range up to 10 m (0.1 / m). A
+/// pairing has to be likelier than this.
+inline constexpr double kLogStrayDensity[] = {-1.8378770664093453, -1.1447298858494002,
+                                              -2.3025850929940455};
 
 /// A deviation (x [m], y [m], heading [rad]) from the pose before the frame, with its covariance.
 template <typename Scalar>
 using Deviation = Ekf<Scalar, kPoseStates>;
 
+/// Always of three components: one that was not measured has no innovation, no Jacobian and a noise
+/// of one, which changes neither NIS nor determinant, and spares code for each number of them.
 template <typename Scalar>
 struct Pairing {
     std::int32_t id = kUnknownId;  ///< of the marker
-    int dof = 0;                   ///< so many leading entries mean something; 0: cannot be
-    Vector<Scalar, 3> innovation;  ///< at the pose before the frame
-    Matrix<Scalar, 3> jacobian, noise;
-    Scalar stray;     ///< log density of being of no marker, and log (2 pi)^(dof/2)
-    Scalar log_odds;  ///< given nothing else of the frame
+    int dof = 0;                   ///< components measured; 0: it cannot be this marker
+    Vector<Scalar, 3> innovation = Vector<Scalar, 3>::Zero();  ///< at the pose before the frame
+    Matrix<Scalar, 3> jacobian = Matrix<Scalar, 3>::Zero();
+    Matrix<Scalar, 3> noise = Matrix<Scalar, 3>::Identity();
+    Scalar stray = 0;     ///< log density of being of no marker, and log (2 pi)^(dof/2)
+    Scalar log_odds = 0;  ///< given nothing else of the frame
 };
 
 /// What speaks for a pairing, given others.
@@ -39,61 +43,29 @@ struct Support {
     Scalar log_odds = 0;  ///< log likelihood less that of being of no marker [nats]
 };
 
-/// Log likelihood less that of being of no marker.
-template <typename Scalar, int M>
-[[nodiscard]] Scalar log_odds_of(Scalar nis, const Matrix<Scalar, M>& s, Scalar stray) noexcept {
-    return -(nis + std::log(Ldlt<Scalar, M>(s).determinant())) / 2 - stray;
-}
-
-/// Takes a pairing of M components for true.
-template <int M, typename Scalar>
-[[nodiscard, gnu::flatten]] Support<Scalar> take_components(
-    Deviation<Scalar>& deviation, const Pairing<Scalar>& pairing) noexcept {
-    const auto h = entries<Matrix<Scalar, M, kPoseStates>>(
-        [&](int i, int j) { return pairing.jacobian(i, j); });
-    const auto innovation = entries<Vector<Scalar, M>>([&](int i, int) {
-        return pairing.innovation[i] - row_by_column(h, i, deviation.state(), 0);
-    });
-    const auto r = symmetric<Matrix<Scalar, M>>([&](int i, int j) { return pairing.noise(i, j); });
-    const auto update = deviation.correct(innovation, h, r, Policy{});
-    if (!update.accepted()) return {};
-    const Scalar odds = log_odds_of<Scalar, M>(update.nis, update.s, pairing.stray);
-    return {std::isfinite(odds), update.nis, odds};
+template <typename Scalar>
+[[nodiscard]] Scalar log_odds_of(Scalar nis, const Matrix<Scalar, 3>& s, Scalar stray) noexcept {
+    return -(nis + std::log(Ldlt<Scalar, 3>(s).determinant())) / 2 - stray;
 }
 
 /// Takes the pairing for true.
 template <typename Scalar>
 [[nodiscard]] Support<Scalar> take(Deviation<Scalar>& deviation,
-                                   const Pairing<Scalar>& pairing) noexcept {
-    switch (pairing.dof) {
-        case 1:
-            return take_components<1>(deviation, pairing);
-        case 2:
-            return take_components<2>(deviation, pairing);
-        case 3:
-            return take_components<3>(deviation, pairing);
-        default:
-            return {};
-    }
+                               const Pairing<Scalar>& pairing) noexcept {
+    if (pairing.dof == 0) return {};
+    const auto innovation = entries<Vector<Scalar, 3>>([&](int i, int) {
+        return pairing.innovation[i] - row_by_column(pairing.jacobian, i, deviation.state(), 0);
+    });
+    const auto update = deviation.correct(innovation, pairing.jacobian, pairing.noise, Policy{});
+    if (!update.accepted()) return {};
+    const Scalar odds = log_odds_of(update.nis, update.s, pairing.stray);
+    return {std::isfinite(odds), update.nis, odds};
 }
 
 /// The best that `log_odds` can become, however sure the pose.
 template <typename Scalar>
 [[nodiscard]] Scalar most_odds(const Pairing<Scalar>& pairing) noexcept {
-    const auto with_noise = [&](auto components) {
-        constexpr int M = decltype(components)::value;
-        const auto r =
-            symmetric<Matrix<Scalar, M>>([&](int i, int j) { return pairing.noise(i, j); });
-        return log_odds_of<Scalar, M>(Scalar(0), r, pairing.stray);
-    };
-    switch (pairing.dof) {
-        case 1:
-            return with_noise(std::integral_constant<int, 1>{});
-        case 2:
-            return with_noise(std::integral_constant<int, 2>{});
-        default:
-            return with_noise(std::integral_constant<int, 3>{});
-    }
+    return log_odds_of(Scalar(0), pairing.noise, pairing.stray);
 }
 
 /// The sighting as one of this marker.
@@ -102,24 +74,25 @@ template <typename Scalar>
 [[nodiscard]] Pairing<Scalar> pair_up(const Pose<Scalar>& robot, const Marker& marker,
                                       const Sighting& sighting,
                                       const MarkerSensorParams& sensor) noexcept {
+    constexpr double half_log_two_pi = 0.91893853320467274178;
+    const Range<Scalar> range{Scalar(sensor.range_scale), Scalar(sensor.range_offset_m)};
+    const auto held = hold_against<Scalar>(robot, marker, sighting, sensor, Bearing<Scalar>{},
+                                           Elevation<Scalar>{}, range);
     Pairing<Scalar> pairing;
-    with_components<Scalar>(sighting, sensor, [&](const auto&... components) {
-        constexpr int M = sizeof...(components);
-        const auto held = hold_against<Scalar>(robot, marker, sighting, sensor, components...);
-        if (!held.defined) return;
-        constexpr double half_log_two_pi = 0.91893853320467274178;
-        const auto r = held.noise();
-        pairing.id = marker.id;
-        pairing.dof = M;
-        each<M>([&](int i) {
-            pairing.innovation[i] = held.innovation[i];
-            each<3>([&](int j) { pairing.jacobian(i, j) = held.jacobian(i, j); });
-            each<M>([&](int j) { pairing.noise(i, j) = r(i, j); });
+    if (!held.defined) return pairing;
+    const auto r = held.noise();
+    const int components = measured_components(sighting);
+    const auto measured = [&](int i) { return (components >> i & 1) != 0; };
+    pairing.id = marker.id;
+    each<3>([&](int i) {
+        if (!measured(i)) return;
+        ++pairing.dof;
+        pairing.stray += Scalar(kLogStrayDensity[i] + half_log_two_pi);
+        pairing.innovation[i] = held.innovation[i];
+        each<3>([&](int j) {
+            pairing.jacobian(i, j) = held.jacobian(i, j);
+            if (measured(j)) pairing.noise(i, j) = r(i, j);
         });
-        pairing.stray =
-            Scalar(((std::log(kStrayDensity[std::decay_t<decltype(components)>::kIndex]) +
-                     half_log_two_pi) +
-                    ...));
     });
     return pairing;
 }
