@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "pilotage/search/heading_equation.hpp"
@@ -16,6 +17,9 @@ namespace {
 
 /// A candidate carries the noise of two or three sightings, so it is scored with wider variances.
 constexpr double kWiden = 9;
+
+/// Some pose explains any two.
+constexpr int kLeastExplained = 3;
 
 /// The most that a sighting can say for a pose.
 double peak(const View& view) {
@@ -82,7 +86,7 @@ void PoseSearch::consider(const Frame& robot) noexcept {
     double sum = 0, best = 0;
     int explained = 0;
     for (int i = 0; i < count_; ++i) {
-        work_ += views_[i].marker != nullptr ? kWork : kWork + markers();
+        work(views_[i].marker != nullptr ? kWork : kWork + markers());
         sum += explain(views_[i], robot, map_, kWiden).log_likelihood - views_[i].log_likelihood;
         if (sum >= best) {
             best = sum;
@@ -109,21 +113,24 @@ void PoseSearch::propose_by_points() noexcept {
     };
     each_subset<2>(seed_count_, turn_, [&](const Subset<2>& pair) {
         each_clue(seed(pair[0]), [&](const Clue& one) {
-            work_ += markers();
+            work(markers());
             each_clue(seed(pair[1]), [&](const Clue& two) { propose(one, two); });
         });
-        return work_ < kMostWork;
+        return work_ > 0;
     });
 }
 
 /// Three bearings of different markers.
 void PoseSearch::propose_by_bearings() noexcept {
     constexpr double kLeastSpread = 0.1;
-    const auto propose = [&](const HeadingEquation& equation, const Clue& one, const Clue& two) {
+    const auto propose = [&](const HeadingEquation& equation, const Clue& one, const Clue& two,
+                             const Clue& last) {
         const Headings headings = equation.solve();
         for (int i = 0; i < headings.count; ++i) {
-            const Places places = meet(one, two, headings.direction[i]);
-            if (places.count > 0) consider(places.place[0], headings.direction[i]);
+            const Point& turn = headings.direction[i];
+            const Places places = meet(one, two, turn);
+            if (places.count > 0 && ahead(last, places.place[0], turn))
+                consider(places.place[0], turn);
         }
     };
     each_subset<3>(seed_count_, turn_, [&](const Subset<3>& triple) {
@@ -133,15 +140,14 @@ void PoseSearch::propose_by_bearings() noexcept {
         if (three.spread() < kLeastSpread) return true;
         each_ray(seed(triple[0]), [&](const Clue& one) {
             each_ray(seed(triple[1]), [&](const Clue& two) {
-                if (two.marker == one.marker || work_ >= kMostWork) return;
-                work_ += kWork * markers();
+                if (two.marker == one.marker || !work(kWork * markers())) return;
                 each_ray(seed(triple[2]), [&](const Clue& last) {
                     if (last.marker == one.marker || last.marker == two.marker) return;
-                    propose(three.of(one.marker, two.marker, last.marker), one, two);
+                    propose(three.of(one.marker, two.marker, last.marker), one, two, last);
                 });
             });
         });
-        return work_ < kMostWork;
+        return work_ > 0;
     });
 }
 
@@ -159,11 +165,11 @@ void PoseSearch::propose_by_arcs() noexcept {
             return true;
         each_clue(one, [&](const Clue& first) {
             each_clue(two, [&](const Clue& second) {
-                if (first.marker != second.marker && work_ < kMostWork) propose_arc(first, second);
+                if (first.marker != second.marker && work_ > 0) propose_arc(first, second);
             });
         });
         used |= both;
-        return ++arcs < kArcs && work_ < kMostWork;
+        return ++arcs < kArcs && work_ > 0;
     });
 }
 
@@ -175,7 +181,7 @@ void PoseSearch::propose_arc(const Clue& one, const Clue& two) noexcept {
         const double heading = 2 * kPi<double> * i / steps;
         const Point turn(std::cos(heading), std::sin(heading));
         const Places places = meet(one, two, turn);
-        work_ += kWork;
+        work(kWork);
         for (int k = 0; k < places.count; ++k) consider(places.place[k], turn);
     }
 }
@@ -192,7 +198,9 @@ Hypothesis PoseSearch::judge(const Fit& fit) const noexcept {
     double sum = 0;
     int sightings = 0;
     std::uint64_t markers = 0;
-    result.log_evidence = result.gain = occam;
+    const double moment = -std::log(count_);  // any sighting may be the first that it explains
+    result.log_evidence = occam;
+    result.gain = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < count_; ++i) {
         const Explanation e = explain(views_[i], robot, map_);
         result.log_evidence += e.log_likelihood;
@@ -201,8 +209,8 @@ Hypothesis PoseSearch::judge(const Fit& fit) const noexcept {
             ++sightings;
             markers |= std::uint64_t{1} << (e.marker - map_.markers().data()) % 64;
         }
-        if (sum + occam < result.gain) continue;
-        result.gain = sum + occam;
+        if (sightings < kLeastExplained || sum + occam + moment < result.gain) continue;
+        result.gain = sum + occam + moment;
         result.explained = i + 1;
         result.sightings = sightings;
         result.markers = markers;
@@ -262,7 +270,7 @@ void PoseSearch::refine_best() noexcept {
 Hypotheses PoseSearch::run(const Evidence* newest_first, int count, const Pose<double>* guesses,
                            int guess_count, std::uint32_t turn) noexcept {
     turn_ = turn;
-    work_ = 0;
+    work_ = kMostWork * markers();
     take(newest_first, count);
     choose_seeds();
     candidates_.clear();

@@ -49,9 +49,9 @@ class PoseSearch {
     static constexpr int kSeeds = 10;       // sightings that give candidates
     static constexpr int kCandidates = 64;  // that are kept
     static constexpr int kRefined = 16;     // at most
-    /// Bound on the work of proposing, in markers looked at; a sighting or a set of sightings costs
-    /// as much as kWork more.
-    static constexpr int kMostWork = 600'000, kWork = 10;
+    /// Bound on the work of proposing for each marker of the map, counted in markers looked at; a
+    /// sighting or a set of sightings counts as kWork more.
+    static constexpr int kMostWork = 20'000, kWork = 10;
 
     void take(const Evidence* newest_first, int count) noexcept;
     void choose_seeds() noexcept;
@@ -66,6 +66,8 @@ class PoseSearch {
     void keep(const Hypothesis& hypothesis) noexcept;
 
     [[nodiscard]] const View& seed(int i) const noexcept { return views_[seeds_[i]]; }
+    /// Counts work. \return whether some is left
+    bool work(int amount) noexcept { return (work_ -= amount) > 0; }
     [[nodiscard]] int markers() const noexcept { return static_cast<int>(map_.markers().size()); }
 
     /// visit(marker) for every marker that the sighting can be of
@@ -91,7 +93,7 @@ class PoseSearch {
     int count_ = 0;
     double most_[kMostEvidence + 1] = {};  // that views from here on can add to a score
     std::uint32_t turn_ = 0;
-    int work_ = 0;
+    int work_ = 0;  // left
     int seeds_[kSeeds] = {};
     int seed_count_ = 0;
     Candidates<kCandidates> candidates_;
