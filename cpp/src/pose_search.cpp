@@ -251,8 +251,7 @@ void PoseSearch::refine_best() noexcept {
         fit.pose = candidate.pose;
         const auto known = [&] {
             return std::any_of(hypotheses_, hypotheses_ + found_, [&](const Hypothesis& h) {
-                return same(h, fit.pose, kNearSquared) &&
-                       minus(fit.pose, h.pose).squaredNorm() < 1;
+                return same(h, fit.pose, kNearSquared) && minus(fit.pose, h.pose).squaredNorm() < 1;
             });
         };
         bool given_up = known();
@@ -262,7 +261,8 @@ void PoseSearch::refine_best() noexcept {
             given_up = known();
         }
         if (given_up) continue;
-        keep(judge(fit));
+        const Hypothesis hypothesis = judge(fit);
+        if (hypothesis.sightings >= kLeastExplained) keep(hypothesis);
         ++refined;
     }
 }
@@ -270,7 +270,7 @@ void PoseSearch::refine_best() noexcept {
 Hypotheses PoseSearch::run(const Evidence* newest_first, int count, const Pose<double>* guesses,
                            int guess_count, std::uint32_t turn) noexcept {
     turn_ = turn;
-    work_ = kMostWork * markers();
+    work_ = kMostWork * std::min(markers(), kMostMarkers);
     take(newest_first, count);
     choose_seeds();
     candidates_.clear();

@@ -25,9 +25,7 @@ struct Match {
     double spread = 1;  ///< product of 2 pi variance
 
     /// Of the measured values.
-    [[nodiscard]] double density() const noexcept {
-        return std::exp(-nis / 2) / std::sqrt(spread);
-    }
+    [[nodiscard]] double density() const noexcept { return std::exp(-nis / 2) / std::sqrt(spread); }
 };
 
 /// \param sensor pose of the sensor at the sighting in frame map, if the robot is at `robot` now

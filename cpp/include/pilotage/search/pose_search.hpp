@@ -52,6 +52,7 @@ class PoseSearch {
     /// Bound on the work of proposing for each marker of the map, counted in markers looked at; a
     /// sighting or a set of sightings counts as kWork more.
     static constexpr int kMostWork = 20'000, kWork = 10;
+    static constexpr int kMostMarkers = 30;  // of a larger map a part is tried in each run
 
     void take(const Evidence* newest_first, int count) noexcept;
     void choose_seeds() noexcept;
