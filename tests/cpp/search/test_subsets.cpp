@@ -26,7 +26,7 @@ void expect_each_once(int n, std::uint32_t turn) {
 
 TEST(SubsetsTest, EachOnceWhereverItBegins) {
     for (int n = 0; n <= 12; ++n)
-        for (const std::uint32_t turn : {0U, 1U, 4'000'000'000U}) {
+        for (const std::uint32_t turn : {0U, 1U, 4'294'967'295U}) {
             expect_each_once<2>(n, turn);
             expect_each_once<3>(n, turn);
         }

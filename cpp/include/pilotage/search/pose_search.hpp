@@ -7,6 +7,7 @@
 #include "pilotage/search/hypothesis.hpp"
 #include "pilotage/search/likelihood.hpp"
 #include "pilotage/search/refinement.hpp"
+#include "pilotage/search/subsets.hpp"
 
 namespace pilotage {
 
@@ -51,7 +52,7 @@ class PoseSearch {
     static constexpr int kRefined = 16;     // at most
     /// Bound on the work of proposing for each marker of the map, counted in markers looked at; a
     /// sighting or a set of sightings counts as kWork more.
-    static constexpr int kMostWork = 20'000, kWork = 10;
+    static constexpr int kMostWork = 16'000, kWork = 10;
     static constexpr int kMostMarkers = 30;  // of a larger map a part is tried in each run
 
     void take(const Evidence* newest_first, int count) noexcept;
@@ -71,12 +72,17 @@ class PoseSearch {
     bool work(int amount) noexcept { return (work_ -= amount) > 0; }
     [[nodiscard]] int markers() const noexcept { return static_cast<int>(map_.markers().size()); }
 
-    /// visit(marker) for every marker that the sighting can be of
+    /// visit(marker) for every marker that the sighting can be of, in each turn from another one on
     template <typename Visit>
     void each_marker(const View& view, const Visit& visit) const noexcept {
         if (view.marker != nullptr) return visit(*view.marker);
-        for (const Marker& marker : map_.markers())
+        const auto count = static_cast<std::uint32_t>(markers());
+        const std::uint32_t first = kStride * turn_ % count;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const Marker& marker =
+                map_.markers()[first + i < count ? first + i : first + i - count];
             if (view.may_be_of(marker)) visit(marker);
+        }
     }
     template <typename Visit>
     void each_clue(const View& view, const Visit& visit) const noexcept {
