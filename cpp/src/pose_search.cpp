@@ -2,13 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
-
-#include "pilotage/search/heading_equation.hpp"
-#include "pilotage/search/meet.hpp"
-#include "pilotage/search/refinement.hpp"
-#include "pilotage/search/rigid_fit.hpp"
-#include "pilotage/search/subsets.hpp"
 
 namespace pilotage {
 
@@ -16,6 +11,9 @@ namespace {
 
 /// A candidate carries the noise of two or three sightings, so it is scored with wider variances.
 constexpr double kWiden = 9;
+
+/// Some pose explains any two.
+constexpr int kLeastExplained = 3;
 
 /// The most that a sighting can say for a pose.
 double peak(const View& view) {
@@ -82,7 +80,7 @@ void PoseSearch::consider(const Frame& robot) noexcept {
     double sum = 0, best = 0;
     int explained = 0;
     for (int i = 0; i < count_; ++i) {
-        work_ += views_[i].marker != nullptr ? kWork : kWork + markers();
+        work(views_[i].marker != nullptr ? kWork : kWork + markers());
         sum += explain(views_[i], robot, map_, kWiden).log_likelihood - views_[i].log_likelihood;
         if (sum >= best) {
             best = sum;
@@ -91,93 +89,6 @@ void PoseSearch::consider(const Frame& robot) noexcept {
         if (std::max(best, sum + most_[i + 1]) <= threshold) return;
     }
     candidates_.add({robot.pose(), best, explained});
-}
-
-/// Two points, or a point and something else of another marker.
-void PoseSearch::propose_by_points() noexcept {
-    const auto propose = [&](const Clue& one, const Clue& two) {
-        if (one.marker == two.marker || !(one.is_point() || two.is_point())) return;
-        if (one.is_point() && two.is_point()) {
-            if (!same_distance(one, two)) return;
-            const Point turn = turn_by(one, two);
-            return consider(place_by(one, two, turn), turn);
-        }
-        const Clue& point = one.is_point() ? one : two;
-        const Headings headings = point_and(point, one.is_point() ? two : one).solve();
-        for (int i = 0; i < headings.count; ++i)
-            consider(place_by_point(point, headings.direction[i]), headings.direction[i]);
-    };
-    each_subset<2>(seed_count_, turn_, [&](const Subset<2>& pair) {
-        each_clue(seed(pair[0]), [&](const Clue& one) {
-            work_ += markers();
-            each_clue(seed(pair[1]), [&](const Clue& two) { propose(one, two); });
-        });
-        return work_ < kMostWork;
-    });
-}
-
-/// Three bearings of different markers.
-void PoseSearch::propose_by_bearings() noexcept {
-    constexpr double kLeastSpread = 0.1;
-    const auto propose = [&](const HeadingEquation& equation, const Clue& one, const Clue& two) {
-        const Headings headings = equation.solve();
-        for (int i = 0; i < headings.count; ++i) {
-            const Places places = meet(one, two, headings.direction[i]);
-            if (places.count > 0) consider(places.place[0], headings.direction[i]);
-        }
-    };
-    each_subset<3>(seed_count_, turn_, [&](const Subset<3>& triple) {
-        for (const int i : triple)
-            if (!seed(i).has(kBearing) || seed(i).has(kRange)) return true;
-        const ThreeBearings three(seed(triple[0]), seed(triple[1]), seed(triple[2]));
-        if (three.spread() < kLeastSpread) return true;
-        each_ray(seed(triple[0]), [&](const Clue& one) {
-            each_ray(seed(triple[1]), [&](const Clue& two) {
-                if (two.marker == one.marker || work_ >= kMostWork) return;
-                work_ += kWork * markers();
-                each_ray(seed(triple[2]), [&](const Clue& last) {
-                    if (last.marker == one.marker || last.marker == two.marker) return;
-                    propose(three.of(one.marker, two.marker, last.marker), one, two);
-                });
-            });
-        });
-        return work_ < kMostWork;
-    });
-}
-
-/// Two sightings that leave a curve of poses: headings all round.
-void PoseSearch::propose_by_arcs() noexcept {
-    constexpr int kArcs = 3;
-    int arcs = 0;
-    std::uint64_t used = 0;  // each arc by other sightings
-    each_subset<2>(seed_count_, turn_, [&](const Subset<2>& pair) {
-        const View &one = seed(pair[0]), &two = seed(pair[1]);
-        const bool rays = one.has(kBearing) && two.has(kBearing);
-        const std::uint64_t both = std::uint64_t{1} << pair[0] | std::uint64_t{1} << pair[1];
-        const bool known = one.marker != nullptr && two.marker != nullptr;
-        if ((used & both) != 0 || (known && one.marker == two.marker) || (rays && !known))
-            return true;
-        each_clue(one, [&](const Clue& first) {
-            each_clue(two, [&](const Clue& second) {
-                if (first.marker != second.marker && work_ < kMostWork) propose_arc(first, second);
-            });
-        });
-        used |= both;
-        return ++arcs < kArcs && work_ < kMostWork;
-    });
-}
-
-void PoseSearch::propose_arc(const Clue& one, const Clue& two) noexcept {
-    constexpr int kRays = 48, kCircles = 12;  // headings: a bearing tells it more sharply
-    if (one.is_point() || two.is_point()) return;
-    const int steps = one.has_direction && two.has_direction ? kRays : kCircles;
-    for (int i = 0; i < steps; ++i) {
-        const double heading = 2 * kPi<double> * i / steps;
-        const Point turn(std::cos(heading), std::sin(heading));
-        const Places places = meet(one, two, turn);
-        work_ += kWork;
-        for (int k = 0; k < places.count; ++k) consider(places.place[k], turn);
-    }
 }
 
 /// A pose that was fitted, with its evidence.
@@ -192,7 +103,9 @@ Hypothesis PoseSearch::judge(const Fit& fit) const noexcept {
     double sum = 0;
     int sightings = 0;
     std::uint64_t markers = 0;
-    result.log_evidence = result.gain = occam;
+    const double moment = -std::log(count_);  // any sighting may be the first that it explains
+    result.log_evidence = occam;
+    result.gain = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < count_; ++i) {
         const Explanation e = explain(views_[i], robot, map_);
         result.log_evidence += e.log_likelihood;
@@ -201,8 +114,8 @@ Hypothesis PoseSearch::judge(const Fit& fit) const noexcept {
             ++sightings;
             markers |= std::uint64_t{1} << (e.marker - map_.markers().data()) % 64;
         }
-        if (sum + occam < result.gain) continue;
-        result.gain = sum + occam;
+        if (sightings < kLeastExplained || sum + occam + moment < result.gain) continue;
+        result.gain = sum + occam + moment;
         result.explained = i + 1;
         result.sightings = sightings;
         result.markers = markers;
@@ -253,7 +166,8 @@ void PoseSearch::refine_best() noexcept {
             given_up = known();
         }
         if (given_up) continue;
-        keep(judge(fit));
+        const Hypothesis hypothesis = judge(fit);
+        if (hypothesis.sightings >= kLeastExplained) keep(hypothesis);
         ++refined;
     }
 }
@@ -261,7 +175,7 @@ void PoseSearch::refine_best() noexcept {
 Hypotheses PoseSearch::run(const Evidence* newest_first, int count, const Pose<double>* guesses,
                            int guess_count, std::uint32_t turn) noexcept {
     turn_ = turn;
-    work_ = 0;
+    work_ = kMostWork * std::min(markers(), kMostMarkers);
     take(newest_first, count);
     choose_seeds();
     candidates_.clear();

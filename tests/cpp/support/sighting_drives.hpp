@@ -4,7 +4,7 @@
 /// its pose gets, and the truth.
 
 #include <algorithm>
-#include <deque>
+#include <cstdlib>
 #include <vector>
 
 #include "pilotage/search/evidence.hpp"
@@ -127,5 +127,17 @@ class SightingDrive {
     double drift_m2_ = 0, drift_rad2_ = 0, speed_m_s_, turn_rad_s_;
     std::vector<Evidence> evidence_;
 };
+
+/// Of a statistical test: as many as PILOTAGE_RUNS says, or the usual number.
+[[nodiscard]] inline int runs_of(int usual) {
+    const char* asked = std::getenv("PILOTAGE_RUNS");
+    return asked != nullptr ? std::atoi(asked) : usual;
+}
+
+/// Within half a metre and 9 degrees, or within the stated covariance (chi-square of 3, 0.01 %).
+[[nodiscard]] inline bool right(const Hypothesis& h, const Pose<double>& truth) {
+    const Pose<double> off = minus(truth, h.pose);
+    return (off.head<2>().norm() < 0.5 && std::abs(off[kHeading]) < 0.15) || same(h, truth, 21.1);
+}
 
 }  // namespace pilotage::test

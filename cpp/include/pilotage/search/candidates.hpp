@@ -20,7 +20,7 @@ struct Candidate {
 template <int Capacity>
 class Candidates {
    public:
-    static constexpr double kHopeless = 25;  ///< behind the best
+    static constexpr double kHopeless = 15;  ///< behind the best
 
     void clear() noexcept { count_ = 0; }
     [[nodiscard]] int count() const noexcept { return count_; }

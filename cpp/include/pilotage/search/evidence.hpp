@@ -26,7 +26,7 @@ struct Evidence {
 };
 
 /// How often a sighting is of something else than it says, or of nothing.
-inline constexpr double kClutter = 0.1;
+inline constexpr double kClutter = 0.15;
 
 /// A sighting as seen from the robot now.
 struct View {

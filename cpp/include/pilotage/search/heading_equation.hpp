@@ -42,9 +42,8 @@ struct HeadingEquation {
 
 /// Three bearings. From one place (c = 0) this is the problem that ToTal solves (V. Pierlot and M.
 /// Van Droogenbroeck, "A New Three Object Triangulation Algorithm for Mobile Robot Positioning",
-/// IEEE Transactions on Robotics 30(3), 2014); its |D|, by which the error grows near the circle
-/// through the markers, is a^2 + b^2 but for a factor of the angles between the bearings.
-/// tests/cpp/search/test_heading_equation.cpp holds one against the other.
+/// IEEE Transactions on Robotics 30(3), 2014). Its D, which is zero on the circle through the
+/// markers where no pose follows, is \f$(a^2 + b^2) / (\lambda_1 \lambda_2 \lambda_3)\f$.
 ///
 /// With the lines' normals \f$n_i\f$, \f$\lambda_1 = n_2 \times n_3\f$ and so on round, \f$\sum
 /// \lambda_i n_i = 0\f$ takes R't out of \f$n_i \cdot (R'm_i - R't - p_i) = 0\f$.

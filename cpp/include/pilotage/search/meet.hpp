@@ -22,6 +22,11 @@ struct Places {
     return clue.marker - turned(turn, clue.point());
 }
 
+/// Whether the marker is where the bearing points, not behind.
+[[nodiscard]] inline bool ahead(const Clue& ray, const Point& place, const Point& turn) noexcept {
+    return turned(turn, ray.along).dot(ray.marker - place - turned(turn, ray.place)) > 0;
+}
+
 /// Where two clues put the robot, if its heading has the direction (cosine, sine) `turn`. A marker
 /// behind a bearing is none.
 [[nodiscard]] inline Places meet(const Clue& one, const Clue& two, const Point& turn) noexcept {

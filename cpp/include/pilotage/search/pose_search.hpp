@@ -7,6 +7,7 @@
 #include "pilotage/search/hypothesis.hpp"
 #include "pilotage/search/likelihood.hpp"
 #include "pilotage/search/refinement.hpp"
+#include "pilotage/search/subsets.hpp"
 
 namespace pilotage {
 
@@ -49,9 +50,10 @@ class PoseSearch {
     static constexpr int kSeeds = 10;       // sightings that give candidates
     static constexpr int kCandidates = 64;  // that are kept
     static constexpr int kRefined = 16;     // at most
-    /// Bound on the work of proposing, in markers looked at; a sighting or a set of sightings costs
-    /// as much as kWork more.
-    static constexpr int kMostWork = 600'000, kWork = 10;
+    /// Bound on the work of proposing for each marker of the map, counted in markers looked at; a
+    /// sighting or a set of sightings counts as kWork more.
+    static constexpr int kMostWork = 16'000, kWork = 10;
+    static constexpr int kMostMarkers = 30;  // of a larger map a part is tried in each run
 
     void take(const Evidence* newest_first, int count) noexcept;
     void choose_seeds() noexcept;
@@ -66,14 +68,21 @@ class PoseSearch {
     void keep(const Hypothesis& hypothesis) noexcept;
 
     [[nodiscard]] const View& seed(int i) const noexcept { return views_[seeds_[i]]; }
+    /// Counts work. \return whether some is left
+    bool work(int amount) noexcept { return (work_ -= amount) > 0; }
     [[nodiscard]] int markers() const noexcept { return static_cast<int>(map_.markers().size()); }
 
-    /// visit(marker) for every marker that the sighting can be of
+    /// visit(marker) for every marker that the sighting can be of, in each turn from another one on
     template <typename Visit>
     void each_marker(const View& view, const Visit& visit) const noexcept {
         if (view.marker != nullptr) return visit(*view.marker);
-        for (const Marker& marker : map_.markers())
+        const auto count = static_cast<std::uint32_t>(markers());
+        const std::uint32_t first = kStride * turn_ % count;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const Marker& marker =
+                map_.markers()[first + i < count ? first + i : first + i - count];
             if (view.may_be_of(marker)) visit(marker);
+        }
     }
     template <typename Visit>
     void each_clue(const View& view, const Visit& visit) const noexcept {
@@ -91,7 +100,7 @@ class PoseSearch {
     int count_ = 0;
     double most_[kMostEvidence + 1] = {};  // that views from here on can add to a score
     std::uint32_t turn_ = 0;
-    int work_ = 0;
+    int work_ = 0;  // left
     int seeds_[kSeeds] = {};
     int seed_count_ = 0;
     Candidates<kCandidates> candidates_;

@@ -30,14 +30,15 @@ template <int K>
     return result;
 }
 
+/// A prime that divides no binomial(n, 2) or binomial(n, 3) of an n below it.
+inline constexpr std::uint32_t kStride = 37;
+
 /// visit(subset) for all of them until it says false; `turn` chooses where to begin.
 template <int K, typename Visit>
 void each_subset(int n, std::uint32_t turn, const Visit& visit) noexcept {
-    constexpr std::uint32_t stride =
-        37;  // a prime that divides no binomial(n, 2 or 3) up to n = 36
     const auto total = static_cast<std::uint32_t>(binomial(n, K));
     for (std::uint32_t i = 0; i < total; ++i)
-        if (!visit(subset<K>(n, static_cast<int>((i + turn) % total * stride % total)))) return;
+        if (!visit(subset<K>(n, static_cast<int>((i + turn % total) * kStride % total)))) return;
 }
 
 }  // namespace pilotage
