@@ -31,7 +31,8 @@ void Fixer<Scalar, N>::recognise(const Track& track, int sensor,
     if (!track.located || !frame.any_unknown()) return;
     frame.resolve(track.filter.state().template head<kPoseStates>(),
                   track.filter.covariance().template topLeftCorner<kPoseStates, kPoseStates>(),
-                  map_, params_.sensors[sensor], policies_[sensor]);
+                  map_, params_.sensors[sensor], policies_[sensor],
+                  Scalar(params_.tilt.variance_rad2()));
 }
 
 template <typename Scalar, int N>

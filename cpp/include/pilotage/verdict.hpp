@@ -74,7 +74,7 @@ struct SightingReport {
     std::uint8_t sensor;
     Verdict verdict;
     bool agrees;           ///< with the estimate: NIS within the gate, whatever fuses
-    std::int32_t dof;      ///< number of measured components
+    std::int32_t dof;      ///< number of components judged together: but for a wrong elevation, all
     double innovation[3];  ///< measured less predicted
     double sigma[3];       ///< square root of the diagonal of S
     double nis;

@@ -20,7 +20,9 @@ bool fully_judged(const marker_report_t& report) {
         if (std::isfinite(report.innovation[i]) != (report.sigma[i] >= 0)) return false;
         measured += std::isfinite(report.innovation[i]);
     }
-    return std::isfinite(report.nis) && measured == report.dof;
+    // An elevation that is wrong alone is left out.
+    const bool apart = !std::isnan(report.innovation[1]) && report.dof == measured - 1;
+    return std::isfinite(report.nis) && (measured == report.dof || apart);
 }
 
 bool not_judged(const marker_report_t& report) {
