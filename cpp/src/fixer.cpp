@@ -1,5 +1,6 @@
 #include "pilotage/fixer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -88,8 +89,12 @@ template <typename Scalar, int N>
 void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int count,
                               PoseSearch& search) const noexcept {
     track.searched_utime = track.utime;
-    Claim claim{track.located, track.confirmed, track.pose(), track.covariance(),
-                track.restored ? -kRestored : 0};
+    Claim claim{track.located,
+                track.confirmed,
+                track.pose(),
+                track.covariance(),
+                track.restored ? -kRestored : 0,
+                std::min(judging::kMarkers, static_cast<int>(map_.markers().size()))};
     for (int i = 0; i < count; ++i) claim.log_evidence += newest_first[i].log_likelihood;
     const Pose<double> odometry = track.odometry();
     Pose<double> guesses[Ideas::kMost];
@@ -99,7 +104,10 @@ void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int co
     const Hypothesis* winner = judge(track.judgement, claim, found, odometry, track.utime);
     track.judgement.ideas.remember(found, odometry);
     if (winner != nullptr) {
-        if (track.located) ++track.resets;
+        if (track.located) {
+            ++track.resets;
+            ++track.found;
+        }
         place(track, winner->pose, winner->covariance);
         track.confirmed = true;
         track.agreed_utime = track.utime;
