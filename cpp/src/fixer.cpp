@@ -101,7 +101,7 @@ void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int co
     const int guessed = track.judgement.ideas.recall(odometry, guesses);
     const auto turn = static_cast<std::uint32_t>(track.utime / 1000);
     const Hypotheses found = search.run(newest_first, count, guesses, guessed, turn);
-    const Hypothesis* winner = judge(track.judgement, claim, found, odometry, track.utime);
+    const Hypothesis* winner = judge(track.judgement, claim, found, odometry);
     track.judgement.ideas.remember(found, odometry);
     if (winner != nullptr) {
         if (track.located) {

@@ -125,6 +125,8 @@ Hypothesis PoseSearch::judge(const PoseFit& fit) const noexcept {
         if (e.belief > 0.5) {
             ++sightings;
             markers |= std::uint64_t{1} << (e.marker - map_.markers().data()) % 64;
+        } else if (i < Hypothesis::kLatest) {
+            ++result.clutter;
         }
         if (sightings < kLeastExplained || sum + occam + moment < result.gain) continue;
         result.gain = sum + occam + moment;

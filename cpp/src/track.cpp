@@ -202,13 +202,17 @@ Increment<Scalar> Tracker<Scalar, N>::by_velocity(const BodyVelocity& velocity, 
 template <typename Scalar, int N>
 Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
     const MotionCheck::Window& window = track.check.window();
+    const bool contradicted =
+        track.agreement.disagrees() || track.judgement.finding != Finding::fine;
     Pose<double> doubt = Pose<double>::Zero();
     switch (track.check.state()) {
         case MotionState::standing:
             if (track.check.settled() && window.disagreement_rad == 0) learn_bias(track);
             break;
         case MotionState::lifted:
-            doubt = variances(kCarried_m_s * window.duration_s, 0) * growth(window.in_a_row);
+            // A gyro that the sightings contradict may have made the lift up, and the heading.
+            doubt = variances(kCarried_m_s * window.duration_s, contradicted ? kNoIdea_rad : 0) *
+                    growth(window.in_a_row);
             break;
         case MotionState::slipping: {
             const double off_rad = std::min(std::abs(window.disagreement_rad), kNoIdea_rad);

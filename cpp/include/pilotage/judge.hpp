@@ -19,14 +19,18 @@ namespace judging {
 inline constexpr double kDecisive = 7;
 /// So much better is another than a confirmed estimate where doubt begins.
 inline constexpr double kSuspicious = 3;
-/// A pose found has to hold for so many frames, on a way so long or over such a time: what misleads
-/// a robot that stands does so again and again.
-inline constexpr int kFrames = 3;
-inline constexpr double kWay_m = 0.25, kWay_rad = 0.2;
-inline constexpr std::int64_t kWait_us = 3'000'000;
+/// A pose found has to hold for so many frames, and on a way so long; a robot that stands is misled
+/// by the same thing again and again, so there it takes more frames.
+inline constexpr int kFrames = 3, kFramesStanding = 10;
+inline constexpr double kWay_m = 0.3, kWay_rad = 0.3;
+/// On which dead reckoning may be off by so much, in sigmas: it may be what is wrong.
+inline constexpr double kOff_m = 0.05, kOff_rad = 0.05;
 /// So many markers have to speak for a pose other than one that was confirmed, if the map has them:
 /// two may be swapped, or one be moved.
 inline constexpr int kMarkers = 3;
+
+/// Of the newest sightings it may leave so many unexplained: else it is of where the robot was.
+inline constexpr int kClutterOfLatest = 2;
 
 /// A pose less sure than this is none yet [m^2, each axis] and [rad^2].
 inline constexpr double kVaguest_m2 = 1, kVaguest_rad2 = 0.1;
@@ -99,7 +103,7 @@ struct Judgement {
     double margin = 0;                  ///< nats between the best explanation and the next
     int held = 0;                       ///< frames that the best pose has held for
     std::int64_t utime = 0;             ///< of the last of them
-    Pose<double> leader = {0, 0, 0};    ///< that pose then, frame map
+    Pose<double> leader = {0, 0, 0};    ///< that pose in the first of them
     Pose<double> odometry = {0, 0, 0};  ///< of the robot then
     Ideas ideas;
 };
@@ -118,8 +122,7 @@ struct Claim {
 /// \param odometry pose of the robot by dead reckoning alone
 /// \return the hypothesis that wins, or nullptr as long as none does
 [[nodiscard]] inline const Hypothesis* judge(Judgement& j, const Claim& claim,
-                                             const Hypotheses& found, const Pose<double>& odometry,
-                                             std::int64_t utime) noexcept {
+                                             const Hypotheses& found, const Pose<double>& odometry) noexcept {
     using namespace judging;
     // By how much each explains the sightings better than the estimate does, or than chance. An
     // estimate that was confirmed is held against the latest alone: before them the robot may not
@@ -155,20 +158,21 @@ struct Claim {
         return nullptr;
     }
     j.finding = Finding::elsewhere;
-    if (vague(best->covariance) || (claim.confirmed && best->distinct_markers() < claim.markers))
+    if (vague(best->covariance) || best->clutter > kClutterOfLatest ||
+        (claim.confirmed && best->distinct_markers() < claim.markers))
         return nullptr;
     // Where dead reckoning has brought what led first.
     const Pose<double> way = Frame(j.odometry).into(odometry);
-    const bool leads =
-        held > 0 && same(best->pose, Frame(j.leader).out_of(way), 2 * best->covariance);
+    Matrix<double, 3> unsure = 2 * best->covariance;
+    unsure.diagonal() += Pose<double>(kOff_m * kOff_m, kOff_m * kOff_m, kOff_rad * kOff_rad);
+    const bool leads = held > 0 && same(best->pose, Frame(j.leader).out_of(way), unsure);
     j.held = leads ? held + 1 : 1;
     if (!leads) {
         j.leader = best->pose;
         j.odometry = odometry;
-        j.utime = utime;
     }
     const bool tried = std::hypot(way[kX], way[kY]) >= kWay_m ||
-                       std::abs(way[kHeading]) >= kWay_rad || utime - j.utime >= kWait_us;
+                       std::abs(way[kHeading]) >= kWay_rad || j.held >= kFramesStanding;
     return leads && tried && j.held >= kFrames ? best : nullptr;
 }
 

@@ -23,6 +23,8 @@ struct Hypothesis {
     int explained = 0;          ///< that number
     int sightings = 0;          ///< of these, not clutter
     std::uint64_t markers = 0;  ///< that these are of; bit: place in the map, modulo 64
+    static constexpr int kLatest = 6;
+    int clutter = 0;  ///< of the newest kLatest sightings, that it does not explain
 
     [[nodiscard]] int distinct_markers() const noexcept {
         int n = 0;
