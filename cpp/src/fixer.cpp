@@ -90,8 +90,13 @@ void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int co
     Claim claim{track.located, track.confirmed, track.pose(), track.covariance(),
                 track.restored ? -kRestored : 0};
     for (int i = 0; i < count; ++i) claim.log_evidence += newest_first[i].log_likelihood;
-    const Hypotheses found = search.run(newest_first, count);
-    const Hypothesis* winner = judge(track.judgement, claim, found, track.odometry(), track.utime);
+    const Pose<double> odometry = track.odometry();
+    Pose<double> guesses[Ideas::kMost];
+    const int guessed = track.judgement.ideas.recall(odometry, guesses);
+    const auto turn = static_cast<std::uint32_t>(track.utime / 1000);
+    const Hypotheses found = search.run(newest_first, count, guesses, guessed, turn);
+    const Hypothesis* winner = judge(track.judgement, claim, found, odometry, track.utime);
+    track.judgement.ideas.remember(found, odometry);
     if (winner != nullptr) {
         if (track.located) ++track.resets;
         place(track, winner->pose, winner->covariance);

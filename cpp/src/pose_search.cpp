@@ -92,7 +92,7 @@ void PoseSearch::consider(const Frame& robot) noexcept {
 }
 
 /// A pose that was fitted, with its evidence.
-Hypothesis PoseSearch::judge(const Fit& fit) const noexcept {
+Hypothesis PoseSearch::judge(const PoseFit& fit) const noexcept {
     Hypothesis result;
     result.pose = fit.pose;
     const Ldlt<double, 3> information(fit.information);
@@ -143,16 +143,15 @@ void PoseSearch::keep(const Hypothesis& hypothesis) noexcept {
     hypotheses_[at] = hypothesis;
 }
 
-/// Climbs from the best candidates, first with variances so wide that no sighting is clutter before
-/// the pose has settled. Those that lead to where another one led are given up on the way.
-void PoseSearch::refine_best() noexcept {
-    constexpr double kLevels[] = {16, 4, 1};
-    constexpr double kNearSquared = 100;
+/// Climbs from the best candidates, with one widening of the variances after the other. Those that
+/// lead to where another one led are given up on the way.
+void PoseSearch::refine_best(std::initializer_list<double> widenings) noexcept {
+    constexpr double kNearSquared = 36;
     int refined = 0;
     for (int i = 0; i < candidates_.count() && refined < kRefined; ++i) {
         const Candidate& candidate = candidates_[i];
         if (candidate.score < candidates_.threshold()) break;
-        Fit fit;
+        PoseFit fit;
         fit.pose = candidate.pose;
         const auto known = [&] {
             return std::any_of(hypotheses_, hypotheses_ + found_, [&](const Hypothesis& h) {
@@ -160,7 +159,7 @@ void PoseSearch::refine_best() noexcept {
             });
         };
         bool given_up = known();
-        for (const double widen : kLevels) {
+        for (const double widen : widenings) {
             if (given_up) break;
             fit = climb(fit.pose, views_, candidate.explained, map_, site_, widen);
             given_up = known();
@@ -181,10 +180,11 @@ Hypotheses PoseSearch::run(const Evidence* newest_first, int count, const Pose<d
     candidates_.clear();
     found_ = 0;
     for (int i = 0; i < guess_count; ++i) consider(Frame(guesses[i]));
+    refine_best({1});  // widened, two tops that are near each other become one
     propose_by_points();
     propose_by_bearings();
     propose_by_arcs();
-    refine_best();
+    refine_best({4, 1});  // a candidate is too far off for some sightings
     return {hypotheses_, found_};
 }
 

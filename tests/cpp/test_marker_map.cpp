@@ -30,9 +30,12 @@ TEST(MarkerMapTest, IsEmptyUntilMarkersAreGiven) {
     EXPECT_EQ(MarkerMap().find(-1), nullptr);
 }
 
-TEST(MarkerMapTest, IsLabelledWhereAnyMarkerIs) {
-    EXPECT_FALSE(MarkerMap({{3, 0, 0, 0, 0}, {5, 0, 0, 0, 0}}).labelled());
-    EXPECT_TRUE(MarkerMap({{3, 0, 0, 0, 0}, {5, 0, 0, 0, 0, 0}}).labelled());
+TEST(MarkerMapTest, WantsLabelsWhereAnyMarkerHasOne) {
+    const MarkerMap plain({{3, 0, 0, 0, 0}, {5, 0, 0, 0, 0}});
+    const MarkerMap labelled({{3, 0, 0, 0, 0}, {5, 0, 0, 0, 0, 0}});
+    EXPECT_EQ(plain.wanted_label(7), -1);
+    EXPECT_EQ(labelled.wanted_label(7), 7);
+    EXPECT_EQ(labelled.wanted_label(-1), -1);
 }
 
 TEST(MarkerMapTest, ListsItsMarkersById) {

@@ -20,6 +20,41 @@ enum class Finding : std::uint8_t {
     elsewhere,  ///< one other pose explains them better
 };
 
+/// What the search found last, where dead reckoning has brought it since: it goes on from there.
+class Ideas {
+   public:
+    static constexpr int kMost = PoseSearch::kMostHypotheses;
+
+    Ideas() = default;
+    Ideas(const Ideas& other) noexcept { *this = other; }
+    /// Mostly there are none, and then nothing to copy.
+    Ideas& operator=(const Ideas& other) noexcept {
+        count_ = other.count_;
+        if (count_ > 0) odometry_ = other.odometry_;
+        for (int i = 0; i < count_; ++i) poses_[i] = other.poses_[i];
+        return *this;
+    }
+
+    void remember(const Hypotheses& found, const Pose<double>& odometry) noexcept {
+        count_ = found.count;
+        odometry_ = odometry;
+        for (int i = 0; i < count_; ++i) poses_[i] = found[i].pose;
+    }
+
+    /// \param poses receives them. \return how many
+    [[nodiscard]] int recall(const Pose<double>& odometry, Pose<double>* poses) const noexcept {
+        if (count_ == 0) return 0;
+        const Pose<double> way = Frame(odometry_).into(odometry);
+        for (int i = 0; i < count_; ++i) poses[i] = Frame(poses_[i]).out_of(way);
+        return count_;
+    }
+
+   private:
+    int count_ = 0;
+    Pose<double> odometry_;  // of the robot then
+    Pose<double> poses_[kMost];
+};
+
 /// What the judge thinks, and what it waits for.
 struct Judgement {
     Finding finding = Finding::fine;
@@ -28,6 +63,7 @@ struct Judgement {
     std::int64_t utime = 0;             ///< of the last of them
     Pose<double> leader = {0, 0, 0};    ///< that pose then, frame map
     Pose<double> odometry = {0, 0, 0};  ///< of the robot then
+    Ideas ideas;
 };
 
 /// The estimate as one idea among others.
@@ -50,6 +86,14 @@ inline constexpr double kSuspicious = 3;
 inline constexpr int kFrames = 3;
 inline constexpr double kOtherPlace_m = 0.02, kOtherPlace_rad = 0.02;
 inline constexpr std::int64_t kOtherTime_us = 1'000'000;
+
+/// A pose less sure than this is none yet [m^2, each axis] and [rad^2].
+inline constexpr double kVaguest_m2 = 1, kVaguest_rad2 = 0.1;
+
+[[nodiscard]] inline bool vague(const Matrix<double, 3>& covariance) noexcept {
+    return !(covariance(kX, kX) <= kVaguest_m2 && covariance(kY, kY) <= kVaguest_m2 &&
+             covariance(kHeading, kHeading) <= kVaguest_rad2);
+}
 
 /// The same place for all practical purposes, or as far as both are known.
 [[nodiscard]] inline bool same(const Pose<double>& a, const Pose<double>& b,
@@ -101,6 +145,7 @@ inline constexpr std::int64_t kOtherTime_us = 1'000'000;
         return nullptr;
     }
     j.finding = Finding::elsewhere;
+    if (vague(best->covariance)) return nullptr;
     // Where dead reckoning has brought the leader of the last frame.
     const Frame then(j.odometry);
     const Pose<double> way = then.into(odometry);

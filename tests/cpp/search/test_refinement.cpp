@@ -32,10 +32,10 @@ struct Scene {
         }
         for (const Sighting& s : sightings) views.push_back(view_of(s, kSensor, kYard, kSite));
     }
-    [[nodiscard]] Fit at(const Pose<double>& pose) const {
+    [[nodiscard]] PoseFit at(const Pose<double>& pose) const {
         return fit_at(pose, views.data(), 8, kYard, kSite, 1);
     }
-    [[nodiscard]] Fit from(const Pose<double>& pose, double widen) const {
+    [[nodiscard]] PoseFit from(const Pose<double>& pose, double widen) const {
         return climb(pose, views.data(), 8, kYard, kSite, widen);
     }
 };
@@ -56,8 +56,8 @@ TEST(RefinementTest, GradientIsTheDerivativeOfTheLogLikelihood) {
 TEST(RefinementTest, ExactSightingsLeadToTheExactPoseFromAMetreOff) {
     for (const int id : {0, -1}) {
         const Scene scene(0, id);
-        const Fit wide = scene.from(kRobot + Pose<double>(0.3, -0.4, 0.15), 16);
-        const Fit fit = scene.from(scene.from(wide.pose, 1).pose, 1);
+        const PoseFit wide = scene.from(kRobot + Pose<double>(0.3, -0.4, 0.15), 16);
+        const PoseFit fit = scene.from(scene.from(wide.pose, 1).pose, 1);
         EXPECT_TRUE(same_pose(fit.pose, kRobot, 1e-4)) << id;
     }
 }
@@ -72,7 +72,7 @@ TEST(RefinementTest, AWrongSightingDoesNotPull) {
 
 TEST(RefinementTest, WhatNoSightingTellsIsAsUnsureAsTheSiteIsLarge) {
     const Scene scene;
-    const Fit fit = climb(kRobot, scene.views.data(), 0, kYard, kSite, 1);
+    const PoseFit fit = climb(kRobot, scene.views.data(), 0, kYard, kSite, 1);
     const Matrix<double, 3> covariance = Ldlt<double, 3>(fit.information).inverse();
     EXPECT_TRUE(close(Pose<double>(covariance.diagonal()), kSite.variances(), 1e-12));
 }

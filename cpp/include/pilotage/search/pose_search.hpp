@@ -2,6 +2,8 @@
 /// \file
 /// Every pose that explains the sightings of late, with no prior at all.
 
+#include <initializer_list>
+
 #include "pilotage/search/candidates.hpp"
 #include "pilotage/search/clue.hpp"
 #include "pilotage/search/hypothesis.hpp"
@@ -63,8 +65,8 @@ class PoseSearch {
     void propose_arc(const Clue& one, const Clue& two) noexcept;
     void consider(const Frame& robot) noexcept;
     void consider(const Point& place, const Point& turn) noexcept;
-    void refine_best() noexcept;
-    [[nodiscard]] Hypothesis judge(const Fit& fit) const noexcept;
+    void refine_best(std::initializer_list<double> widenings) noexcept;
+    [[nodiscard]] Hypothesis judge(const PoseFit& fit) const noexcept;
     void keep(const Hypothesis& hypothesis) noexcept;
 
     [[nodiscard]] const View& seed(int i) const noexcept { return views_[seeds_[i]]; }

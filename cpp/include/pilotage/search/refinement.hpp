@@ -10,7 +10,7 @@
 namespace pilotage {
 
 /// A pose with what sightings say about it, to second order.
-struct Fit {
+struct PoseFit {
     Pose<double> pose{0, 0, 0};
     double log_likelihood = 0;
     Matrix<double, 3> information;  ///< of the sightings and of the site
@@ -18,9 +18,9 @@ struct Fit {
 };
 
 /// \param views of `count` sightings
-[[nodiscard]] inline Fit fit_at(const Pose<double>& pose, const View* views, int count,
-                                const MarkerMap& map, const Site& site, double widen) noexcept {
-    Fit fit;
+[[nodiscard]] inline PoseFit fit_at(const Pose<double>& pose, const View* views, int count,
+                                    const MarkerMap& map, const Site& site, double widen) noexcept {
+    PoseFit fit;
     fit.pose = pose;
     // The site bounds what no sighting tells; it does not pull.
     fit.information = site.variances().cwiseInverse().asDiagonal();
@@ -43,18 +43,18 @@ struct Fit {
 }
 
 /// Climbs to the top nearest to `start`.
-[[nodiscard]] inline Fit climb(const Pose<double>& start, const View* views, int count,
-                               const MarkerMap& map, const Site& site, double widen) noexcept {
+[[nodiscard]] inline PoseFit climb(const Pose<double>& start, const View* views, int count,
+                                   const MarkerMap& map, const Site& site, double widen) noexcept {
     constexpr int kSteps = 8;
     constexpr double kEnough = 1e-2;  // log-likelihood that a step is expected to add
     constexpr double kDamping = 1e-3, kMostDamping = 1e4;
-    Fit fit = fit_at(start, views, count, map, site, widen);
+    PoseFit fit = fit_at(start, views, count, map, site, widen);
     double damping = kDamping;
     for (int step = 0; step < kSteps && damping < kMostDamping; ++step) {
         Matrix<double, 3> damped = fit.information;
         damped.diagonal() *= 1 + damping;
         const Vector<double, 3> dx = Ldlt<double, 3>(damped).solve(fit.gradient);
-        const Fit next = fit_at(plus(fit.pose, dx), views, count, map, site, widen);
+        const PoseFit next = fit_at(plus(fit.pose, dx), views, count, map, site, widen);
         if (next.log_likelihood < fit.log_likelihood) {
             damping *= 10;
             continue;
