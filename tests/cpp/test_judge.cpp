@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "support/matchers.hpp"
 #include "support/robots.hpp"
 
 namespace pilotage::test {
@@ -247,6 +248,28 @@ TEST(JudgeTest, AnotherLeaderStartsAnew) {
     }
 }
 
+/// Some pose explains what little was seen, over a wide range.
+TEST(JudgeTest, AVaguePoseIsNoneYet) {
+    for (const int entry : {kX, kY, kHeading}) {
+        Hearing hearing;
+        const double most = entry == kHeading ? judging::kVaguest_rad2 : judging::kVaguest_m2;
+        for (int frame = 0; frame < 2 * kFrames; ++frame) {
+            Hypothesis vague = hearing.idea(kThere, 30);
+            vague.covariance(entry, entry) = 1.01 * most;
+            EXPECT_EQ(hearing.ask({vague}), -1);
+            EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere);
+            EXPECT_EQ(hearing.judgement.held, 0);
+            hearing.move();
+        }
+        for (int frame = 1; frame <= kFrames; ++frame) {
+            Hypothesis sure = hearing.idea(kThere, 30);
+            sure.covariance(entry, entry) = 0.99 * most;
+            EXPECT_EQ(hearing.ask({sure}), frame < kFrames ? -1 : 0);
+            hearing.move();
+        }
+    }
+}
+
 /// It must go where dead reckoning says that the robot went.
 TEST(JudgeTest, ALeaderThatDoesNotMoveWithTheRobotStartsAnew) {
     Hearing hearing;
@@ -302,6 +325,22 @@ TEST(JudgeTest, WhatIsTheEstimateItselfIsNoSecondEither) {
         EXPECT_EQ(winner, frame < kFrames ? -1 : 0);
         hearing.move();
     }
+}
+
+TEST(IdeasTest, MoveWithTheRobot) {
+    Ideas ideas;
+    Pose<double> recalled[Ideas::kMost];
+    EXPECT_EQ(ideas.recall(kThere, recalled), 0);
+    const Pose<double> then(3, 2, 1), now = after_arc(then, 0.7, 0.4);
+    std::vector<Hypothesis> found(2);
+    for (std::size_t i = 0; i < 2; ++i) found[i].pose = i == 0 ? kThere : kElsewhere;
+    ideas.remember({found.data(), 2}, then);
+    const Ideas copy = ideas;
+    ASSERT_EQ(copy.recall(now, recalled), 2);
+    EXPECT_TRUE(same_pose(recalled[0], after_arc(kThere, 0.7, 0.4), 1e-12));
+    EXPECT_TRUE(same_pose(recalled[1], after_arc(kElsewhere, 0.7, 0.4), 1e-12));
+    ideas.remember({}, now);
+    EXPECT_EQ(ideas.recall(now, recalled), 0);
 }
 
 }  // namespace
