@@ -188,6 +188,9 @@ void Engine::publish_moved() {
     const Estimate e = estimate();
     const std::optional<Jump> jump = pose_output_.follow(e);
     if (e.disagreement_rad != 0) motion_problem_ = disagreement(e);
+    if (jump && e.found != found_)
+        tell("found", motion_problem_ = found_elsewhere(jump->before, jump->after));
+    found_ = e.found;
     if (config_.output.rate_hz == 0) publisher_.pose(e, pose_output_.resets());
     publisher_.odometry(e, pose_output_.odometry());
     if (jump) publisher_.jump(*jump, e.utime, pose_output_.resets());

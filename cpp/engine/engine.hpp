@@ -104,6 +104,7 @@ class Engine final : private Listener {
     Status status_ = Status::waiting;
     std::int32_t checkpoints_ = 0, reset_seq_ = -1;
     std::string reset_answer_;
+    std::int32_t found_ = 0;      // times that a search found the robot elsewhere
     std::string motion_problem_;  // since the last status
 };
 

@@ -83,6 +83,12 @@ std::string disagreement(const Estimate& e) {
     return "";
 }
 
+std::string found_elsewhere(const Pose<double>& before, const Pose<double>& after) {
+    const Pose<double> off = minus<double, 3>(after, before);
+    return words("found elsewhere by the sightings: %.2f m and %.0f deg away",
+                 std::hypot(off[kX], off[kY]), off[kHeading] * 180 / kPi<double>);
+}
+
 std::string wrong_type(const std::string& channel, const std::string& expected,
                        const std::string& got, std::int64_t fingerprint) {
     return channel + ": expected " + expected + ", got " + got +

@@ -18,6 +18,9 @@ namespace pilotage {
 /// What wheels and gyro hold against each other; empty if nothing.
 [[nodiscard]] std::string disagreement(const Estimate& e);
 
+/// What a search did to the pose.
+[[nodiscard]] std::string found_elsewhere(const Pose<double>& before, const Pose<double>& after);
+
 [[nodiscard]] std::string wrong_type(const std::string& channel, const std::string& expected,
                                      const std::string& got, std::int64_t fingerprint);
 [[nodiscard]] std::string unknown_sensor(const std::string& channel, const std::string& sensor);

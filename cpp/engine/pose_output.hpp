@@ -28,15 +28,18 @@ class PoseOutput {
         const Pose<double> before = started_ ? moved(pose_, e.driven) : e.pose;
         const bool reset = e.resets != resets_, clock = started_ && e.utime < utime_;
         const Pose<double> off = minus<double, 3>(e.pose, before);
+        const bool found = e.found != found_;
         const bool far =
             std::hypot(off[kX], off[kY]) > jump_m_ || std::abs(off[kHeading]) > jump_rad_;
         started_ = true;
         pose_ = e.pose;
         utime_ = e.utime;
         resets_ = e.resets;
+        found_ = e.found;
         if (!reset && !clock && !far) return std::nullopt;
         if (!reset) ++jumps_;
-        return Jump{before, e.pose, reset ? "reset" : clock ? "clock" : "correction"};
+        const char* cause = found ? "found" : reset ? "reset" : clock ? "clock" : "correction";
+        return Jump{before, e.pose, cause};
     }
 
     /// Pure dead reckoning since the first motion sample.
@@ -54,7 +57,7 @@ class PoseOutput {
     double jump_m_, jump_rad_;
     Pose<double> pose_ = Pose<double>::Zero(), odometry_ = Pose<double>::Zero();
     std::int64_t utime_ = 0;
-    std::int32_t resets_ = 0, jumps_ = 0;
+    std::int32_t resets_ = 0, found_ = 0, jumps_ = 0;
     bool started_ = false;
 };
 

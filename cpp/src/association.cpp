@@ -29,7 +29,7 @@ bool Associator<Scalar>::seen_by_id(std::int32_t id) const noexcept {
 template <typename Scalar>
 void Associator<Scalar>::resolve(const Pose<Scalar>& robot, const Matrix<Scalar, 3>& covariance,
                                  const MarkerMap& map, const MarkerSensorParams& sensor,
-                                 const Policy& policy) noexcept {
+                                 const Policy& policy, Scalar tilt_variance) noexcept {
     const SensorPlace<Scalar> place(robot, covariance, sensor);
     const Deviation<Scalar> before(Vector<Scalar, 3>::Zero(), covariance);
     Contender<Scalar>* contenders[kMaxSightings];
@@ -46,7 +46,7 @@ void Associator<Scalar>::resolve(const Pose<Scalar>& robot, const Matrix<Scalar,
         for (const Marker& marker : map.markers()) {
             if (label >= 0 && marker.label != label) continue;
             if (!reach.holds(marker)) continue;
-            Pairing<Scalar> pairing = pair_up(robot, marker, sighting, sensor);
+            Pairing<Scalar> pairing = pair_up(robot, marker, sighting, sensor, tilt_variance);
             Deviation<Scalar> after = before;
             const Support<Scalar> support = take(after, pairing);
             if (!support.possible || policy.beyond_gate(double(support.nis), pairing.dof)) continue;

@@ -1,5 +1,6 @@
 #include "pilotage/fixer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,7 +32,8 @@ void Fixer<Scalar, N>::recognise(const Track& track, int sensor,
     if (!track.located || !frame.any_unknown()) return;
     frame.resolve(track.filter.state().template head<kPoseStates>(),
                   track.filter.covariance().template topLeftCorner<kPoseStates, kPoseStates>(),
-                  map_, params_.sensors[sensor], policies_[sensor]);
+                  map_, params_.sensors[sensor], policies_[sensor],
+                  Scalar(params_.tilt.variance_rad2()));
 }
 
 template <typename Scalar, int N>
@@ -87,8 +89,12 @@ template <typename Scalar, int N>
 void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int count,
                               PoseSearch& search) const noexcept {
     track.searched_utime = track.utime;
-    Claim claim{track.located, track.confirmed, track.pose(), track.covariance(),
-                track.restored ? -kRestored : 0};
+    Claim claim{track.located,
+                track.confirmed,
+                track.pose(),
+                track.covariance(),
+                track.restored ? -kRestored : 0,
+                std::min(judging::kMarkers, static_cast<int>(map_.markers().size()))};
     for (int i = 0; i < count; ++i) claim.log_evidence += newest_first[i].log_likelihood;
     const Pose<double> odometry = track.odometry();
     Pose<double> guesses[Ideas::kMost];
@@ -98,7 +104,10 @@ void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int co
     const Hypothesis* winner = judge(track.judgement, claim, found, odometry, track.utime);
     track.judgement.ideas.remember(found, odometry);
     if (winner != nullptr) {
-        if (track.located) ++track.resets;
+        if (track.located) {
+            ++track.resets;
+            ++track.found;
+        }
         place(track, winner->pose, winner->covariance);
         track.confirmed = true;
         track.agreed_utime = track.utime;

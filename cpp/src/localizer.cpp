@@ -324,6 +324,7 @@ Estimate Localizer<Scalar, N>::describe(const Track& track, double silent_s) con
     e.disagreement_rad = track.check.window().disagreement_rad;
     e.gyro_left_out = track.check.gyro_suspect();
     e.resets = track.resets;
+    e.found = track.found;
     return e;
 }
 

@@ -32,10 +32,21 @@ PoseSearch::PoseSearch(const Params& params, MarkerMap map)
 
 double PoseSearch::log_likelihood(const Pose<double>& pose, const Matrix<double, 3>& covariance,
                                   const Sighting& sighting, std::uint8_t source) const noexcept {
-    const View view =
+    View view =
         view_of(sighting, params_.sensors[source], map_, site_, {0, 0, 0},
                 (covariance(kX, kX) + covariance(kY, kY)) / 2, covariance(kHeading, kHeading));
+    allow_tilt(view);
     return view.measured == 0 ? 0 : explain(view, Frame(pose), map_).log_likelihood;
+}
+
+/// A tilt that lasts is common to all sightings, which the evidence counts as independent: so its
+/// variance comes as many times as there can be of them.
+void PoseSearch::allow_tilt(View& view) const noexcept {
+    if (!params_.tilt.any() || !view.has(kElevation)) return;
+    const double variance = kMostEvidence * params_.tilt.variance_rad2();
+    const double slope = std::tan(view.sighting->value[kElevation]);
+    view.variance[kElevation] += variance;
+    view.variance[kBearing] += slope * slope * variance;
 }
 
 void PoseSearch::take(const Evidence* newest_first, int count) noexcept {
@@ -48,6 +59,7 @@ void PoseSearch::take(const Evidence* newest_first, int count) noexcept {
                        std::abs(newest_first->drift_m2 - e.drift_m2),
                        std::abs(newest_first->drift_rad2 - e.drift_rad2));
         if (view.measured == 0) continue;
+        allow_tilt(view);
         view.log_likelihood = std::fmax(view.log_likelihood, e.log_likelihood);
         ++count_;
     }

@@ -47,9 +47,10 @@ class Associator {
     /// Finds the markers of the sightings without id. Those with one keep it, and their marker is
     /// no choice for others.
     /// \param robot pose at the frame's time, with its covariance
+    /// \param tilt_variance by which the body's tilt adds to that of elevations [rad^2]
     void resolve(const Pose<Scalar>& robot, const Matrix<Scalar, 3>& covariance,
-                 const MarkerMap& map, const MarkerSensorParams& sensor,
-                 const Policy& policy) noexcept;
+                 const MarkerMap& map, const MarkerSensorParams& sensor, const Policy& policy,
+                 Scalar tilt_variance = 0) noexcept;
 
     /// Of the i-th sighting added.
     [[nodiscard]] const Association& operator[](std::size_t i) const noexcept { return found_[i]; }

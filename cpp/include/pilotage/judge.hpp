@@ -13,6 +13,44 @@
 
 namespace pilotage {
 
+namespace judging {
+
+/// An explanation is better than another only by so many nats: one in a thousand is wrong then.
+inline constexpr double kDecisive = 7;
+/// So much better is another than a confirmed estimate where doubt begins.
+inline constexpr double kSuspicious = 3;
+/// A pose found has to hold for so many frames, on a way so long or over such a time: what misleads
+/// a robot that stands does so again and again.
+inline constexpr int kFrames = 3;
+inline constexpr double kWay_m = 0.25, kWay_rad = 0.2;
+inline constexpr std::int64_t kWait_us = 3'000'000;
+/// So many markers have to speak for a pose other than one that was confirmed, if the map has them:
+/// two may be swapped, or one be moved.
+inline constexpr int kMarkers = 3;
+
+/// A pose less sure than this is none yet [m^2, each axis] and [rad^2].
+inline constexpr double kVaguest_m2 = 1, kVaguest_rad2 = 0.1;
+
+[[nodiscard]] inline bool vague(const Matrix<double, 3>& covariance) noexcept {
+    return !(covariance(kX, kX) <= kVaguest_m2 && covariance(kY, kY) <= kVaguest_m2 &&
+             covariance(kHeading, kHeading) <= kVaguest_rad2);
+}
+
+/// As far as the covariance of their difference can tell.
+[[nodiscard]] inline bool same(const Pose<double>& a, const Pose<double>& b,
+                               const Matrix<double, 3>& covariance) noexcept {
+    constexpr double limit = 16;  // four sigmas
+    return Ldlt<double, 3>(covariance).squared_norm(minus<double, 3>(a, b)) < limit;
+}
+
+/// The same place for all practical purposes: the filter goes there by itself.
+[[nodiscard]] inline bool near(const Pose<double>& a, const Pose<double>& b) noexcept {
+    const Pose<double> off = minus<double, 3>(a, b);
+    return std::hypot(off[kX], off[kY]) < 0.3 && std::abs(off[kHeading]) < 0.1;
+}
+
+}  // namespace judging
+
 /// What the sightings of late say about the estimate.
 enum class Finding : std::uint8_t {
     fine,       ///< it explains them better than any other pose
@@ -72,39 +110,9 @@ struct Claim {
     bool confirmed = false;  ///< by sightings; else it has to prove itself
     Pose<double> pose = {0, 0, 0};
     Matrix<double, 3> covariance = Matrix<double, 3>::Zero();
-    double log_evidence = 0;  ///< of all sightings, under the estimate
+    double log_evidence = 0;          ///< of all sightings, under the estimate
+    int markers = judging::kMarkers;  ///< that have to speak for another pose
 };
-
-namespace judging {
-
-/// An explanation is better than another only by so many nats: one in a thousand is wrong then.
-inline constexpr double kDecisive = 7;
-/// So much better is another than a confirmed estimate where doubt begins.
-inline constexpr double kSuspicious = 3;
-/// A pose found has to hold for so many frames, each from another place, or long after the one
-/// before: what misleads a robot that stands does so again and again.
-inline constexpr int kFrames = 3;
-inline constexpr double kOtherPlace_m = 0.02, kOtherPlace_rad = 0.02;
-inline constexpr std::int64_t kOtherTime_us = 1'000'000;
-
-/// A pose less sure than this is none yet [m^2, each axis] and [rad^2].
-inline constexpr double kVaguest_m2 = 1, kVaguest_rad2 = 0.1;
-
-[[nodiscard]] inline bool vague(const Matrix<double, 3>& covariance) noexcept {
-    return !(covariance(kX, kX) <= kVaguest_m2 && covariance(kY, kY) <= kVaguest_m2 &&
-             covariance(kHeading, kHeading) <= kVaguest_rad2);
-}
-
-/// The same place for all practical purposes, or as far as both are known.
-[[nodiscard]] inline bool same(const Pose<double>& a, const Pose<double>& b,
-                               const Matrix<double, 3>& covariance) noexcept {
-    constexpr double near_m = 0.1, near_rad = 0.035, limit = 16;
-    const Pose<double> off = minus<double, 3>(a, b);
-    return (std::hypot(off[kX], off[kY]) < near_m && std::abs(off[kHeading]) < near_rad) ||
-           Ldlt<double, 3>(covariance).squared_norm(off) < limit;
-}
-
-}  // namespace judging
 
 /// Weighs what a search found against the estimate.
 /// \param odometry pose of the robot by dead reckoning alone
@@ -122,7 +130,9 @@ inline constexpr double kVaguest_m2 = 1, kVaguest_rad2 = 0.1;
     const Hypothesis* best = nullptr;
     double first = -INFINITY, second = -INFINITY;
     for (const Hypothesis& h : found) {
-        if (claim.made && same(h.pose, claim.pose, h.covariance + claim.covariance)) continue;
+        if (claim.made &&
+            (near(h.pose, claim.pose) || same(h.pose, claim.pose, h.covariance + claim.covariance)))
+            continue;
         const double s = strength(h);
         if (s > first) {
             second = first;
@@ -145,22 +155,21 @@ inline constexpr double kVaguest_m2 = 1, kVaguest_rad2 = 0.1;
         return nullptr;
     }
     j.finding = Finding::elsewhere;
-    if (vague(best->covariance)) return nullptr;
-    // Where dead reckoning has brought the leader of the last frame.
-    const Frame then(j.odometry);
-    const Pose<double> way = then.into(odometry);
+    if (vague(best->covariance) || (claim.confirmed && best->distinct_markers() < claim.markers))
+        return nullptr;
+    // Where dead reckoning has brought what led first.
+    const Pose<double> way = Frame(j.odometry).into(odometry);
     const bool leads =
         held > 0 && same(best->pose, Frame(j.leader).out_of(way), 2 * best->covariance);
-    const bool another = std::hypot(way[kX], way[kY]) > kOtherPlace_m ||
-                         std::abs(way[kHeading]) > kOtherPlace_rad ||
-                         utime - j.utime >= kOtherTime_us;
-    j.held = !leads ? 1 : held + (another ? 1 : 0);
-    if (!leads || another) {
+    j.held = leads ? held + 1 : 1;
+    if (!leads) {
         j.leader = best->pose;
         j.odometry = odometry;
         j.utime = utime;
     }
-    return j.held >= kFrames ? best : nullptr;
+    const bool tried = std::hypot(way[kX], way[kY]) >= kWay_m ||
+                       std::abs(way[kHeading]) >= kWay_rad || utime - j.utime >= kWait_us;
+    return leads && tried && j.held >= kFrames ? best : nullptr;
 }
 
 }  // namespace pilotage

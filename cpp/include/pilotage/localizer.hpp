@@ -24,7 +24,8 @@ struct Estimate : Assessment {
     MotionState motion = MotionState::driving;
     double disagreement_rad = 0;  ///< of wheels less gyro, over the latest half second; 0 if small
     bool gyro_left_out = false;   ///< its turn is not believed
-    std::int32_t resets = 0;
+    std::int32_t resets = 0;      ///< of the pose, by a message or a search
+    std::int32_t found = 0;       ///< of them, by a search
 };
 
 /// Hears what becomes of every sample: each starts `pending`, and may change its verdict more than

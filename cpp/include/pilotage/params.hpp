@@ -63,6 +63,10 @@ struct TiltParams {
     double tau_s = 0;  ///< correlation time; 0: new in every frame
 
     [[nodiscard]] bool any() const noexcept { return pitch_sigma_rad > 0 || roll_sigma_rad > 0; }
+    /// Of an elevation to any side.
+    [[nodiscard]] double variance_rad2() const noexcept {
+        return pitch_sigma_rad * pitch_sigma_rad + roll_sigma_rad * roll_sigma_rad;
+    }
 };
 
 /// One camera or scanner: where it sits and how well it sees.

@@ -43,8 +43,9 @@ struct Track {
     std::int64_t evidence_since = 0;    ///< nothing older speaks of this pose
     Increment<Scalar> motion;           ///< of the last motion sample that took time
     Vector<Scalar, 2> driven = {0, 0};  ///< (distance [m], turn [rad]) of the last motion sample
-    std::int32_t resets = 0;
-    bool started = false;    ///< a motion sample has come
+    std::int32_t resets = 0;            ///< of the pose, by a message or a search
+    std::int32_t found = 0;             ///< of them, by a search
+    bool started = false;               ///< a motion sample has come
     bool located = false;    ///< the pose is an estimate; else the filter only adds up the motion
     bool confirmed = false;  ///< sightings agree with it, and with no other pose
     bool restored = false;   ///< begun from a checkpoint

@@ -74,12 +74,12 @@ struct SightingReport {
     std::uint8_t sensor;
     Verdict verdict;
     bool agrees;           ///< with the estimate: NIS within the gate, whatever fuses
-    std::int32_t dof;      ///< number of measured components, less an elevation left out
+    std::int32_t dof;      ///< number of components judged together: but for a wrong elevation, all
     double innovation[3];  ///< measured less predicted
     double sigma[3];       ///< square root of the diagonal of S
-    double nis;            ///< over `dof` components
-    double weight;         ///< robust weight in [0, 1]
-    double value, limit;   ///< what decided a rejection, NaN where nothing is compared
+    double nis;
+    double weight;        ///< robust weight in [0, 1]
+    double value, limit;  ///< what decided a rejection, NaN where nothing is compared
 };
 
 }  // namespace pilotage

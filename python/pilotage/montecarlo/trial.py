@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import MarkerMap, replay
+from ..lcmtypes import status_t
 from ..evaluate import beyond, mahalanobis_squared, pose_errors
 from ..simulate import Measured, Scenario, Simulation, measure, simulate, suitable_config
 from ..simulate.drives import STEP_US
@@ -17,8 +18,10 @@ GRID_STEPS = 10
 """Motion samples from one time of the results to the next."""
 NIS_STEPS = 100
 """Motion samples over which NIS is averaged."""
+STATUS_STEPS = 10
+"""Times of the results from one status to the next."""
 NO_POSE = -1
-"""The status before the first pose."""
+"""The status before the first pose, where none is asked for."""
 PARTS = 4
 """Of NIS: the whole of a sighting, and its bearing, elevation and range by themselves."""
 
@@ -85,8 +88,12 @@ def run_trial(scenario: Scenario, rng: np.random.Generator) -> Trial:
     robot = scenario.drawn(rng)
     measured = measure(robot, rng)
     drive, markers, cameras = measured.drive, measured.markers, robot.cameras
-    run = replay(suitable_config(robot, markers, drive), measured.record())
+    config, recording = suitable_config(robot, markers, drive), measured.record()
     at = drive.utime[::GRID_STEPS]
+    if not robot.start.known:  # without a pose only the status speaks
+        recording.add_ticks(at[::STATUS_STEPS])
+        recording.sort()
+    run = replay(config, recording, keep_messages=not robot.start.known)
     newest = np.searchsorted(run.poses["utime"], at, side="right") - 1
     known = newest >= 0
     poses = run.poses[newest[known]]
@@ -98,6 +105,12 @@ def run_trial(scenario: Scenario, rng: np.random.Generator) -> Trial:
         full[known] = values
         return full
 
+    status = column(poses["status"], NO_POSE)
+    if run.published is not None:
+        told = [status_t.decode(m) for m in run.published.messages(config["output.status"])]
+        latest = np.searchsorted([s.utime for s in told], at[~known], side="right") - 1
+        status[~known] = np.array([s.state for s in told], np.int8)[np.maximum(latest, 0)]
+
     views = [camera.in_view(camera.look_at_all(drive, markers, at)) for camera in cameras]
     nis, dof = _nis_sums(run.reports, len(cameras), drive.utime)
     carried = measured.kidnapped
@@ -105,7 +118,7 @@ def run_trial(scenario: Scenario, rng: np.random.Generator) -> Trial:
         distance=column(errors.distance, np.nan),
         heading=column(errors.heading, np.nan),
         nees=column(mahalanobis_squared(errors.pose, poses["covariance"]), np.nan),
-        status=column(poses["status"], NO_POSE),
+        status=status,
         wrong=column(beyond(errors, poses["covariance"]), False),
         in_view=np.any(views, axis=0).sum(axis=1),
         pairs=_frames(measured, 2, at),

@@ -12,17 +12,17 @@ bool wrapped(double heading) {
     return heading > -pi && heading <= pi;
 }
 
-/// What was measured was held against the map: all of it is there, and nothing else. Beside others
-/// an elevation may have been left out. A sender may state a sigma whose square is infinite.
+/// What was measured was held against the map: all of it is there, and nothing else. A sender may
+/// state a sigma whose square is infinite.
 bool fully_judged(const marker_report_t& report) {
     int measured = 0;
     for (int i = 0; i < 3; ++i) {
         if (std::isfinite(report.innovation[i]) != (report.sigma[i] >= 0)) return false;
         measured += std::isfinite(report.innovation[i]);
     }
-    const bool left_out = report.dof > 0 && std::isfinite(report.innovation[1]);
-    return std::isfinite(report.nis) &&
-           (measured == report.dof || (left_out && measured == report.dof + 1));
+    // An elevation that is wrong alone is left out.
+    const bool apart = !std::isnan(report.innovation[1]) && report.dof == measured - 1;
+    return std::isfinite(report.nis) && (measured == report.dof || apart);
 }
 
 bool not_judged(const marker_report_t& report) {

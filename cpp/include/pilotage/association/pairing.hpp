@@ -51,7 +51,7 @@ template <typename Scalar>
 /// Takes the pairing for true.
 template <typename Scalar>
 [[nodiscard]] Support<Scalar> take(Deviation<Scalar>& deviation,
-                               const Pairing<Scalar>& pairing) noexcept {
+                                   const Pairing<Scalar>& pairing) noexcept {
     if (pairing.dof == 0) return {};
     const auto innovation = entries<Vector<Scalar, 3>>([&](int i, int) {
         return pairing.innovation[i] - row_by_column(pairing.jacobian, i, deviation.state(), 0);
@@ -72,15 +72,16 @@ template <typename Scalar>
 /// \param robot the pose before the frame
 template <typename Scalar>
 [[nodiscard]] Pairing<Scalar> pair_up(const Pose<Scalar>& robot, const Marker& marker,
-                                      const Sighting& sighting,
-                                      const MarkerSensorParams& sensor) noexcept {
+                                      const Sighting& sighting, const MarkerSensorParams& sensor,
+                                      Scalar tilt_variance = 0) noexcept {
     constexpr double half_log_two_pi = 0.91893853320467274178;
     const Range<Scalar> range{Scalar(sensor.range_scale), Scalar(sensor.range_offset_m)};
     const auto held = hold_against<Scalar>(robot, marker, sighting, sensor, Bearing<Scalar>{},
                                            Elevation<Scalar>{}, range);
     Pairing<Scalar> pairing;
     if (!held.defined) return pairing;
-    const auto r = held.noise();
+    auto r = held.noise();
+    r(kElevation, kElevation) += tilt_variance;
     const int components = measured_components(sighting);
     const auto measured = [&](int i) { return (components >> i & 1) != 0; };
     pairing.id = marker.id;

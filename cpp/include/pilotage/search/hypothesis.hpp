@@ -23,6 +23,12 @@ struct Hypothesis {
     int explained = 0;          ///< that number
     int sightings = 0;          ///< of these, not clutter
     std::uint64_t markers = 0;  ///< that these are of; bit: place in the map, modulo 64
+
+    [[nodiscard]] int distinct_markers() const noexcept {
+        int n = 0;
+        for (std::uint64_t bits = markers; bits != 0; bits &= bits - 1) ++n;
+        return n;
+    }
 };
 
 /// Whether two poses are one as far as the first one's covariance can tell.

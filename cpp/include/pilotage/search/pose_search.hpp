@@ -57,6 +57,7 @@ class PoseSearch {
     static constexpr int kMostWork = 16'000, kWork = 10;
     static constexpr int kMostMarkers = 30;  // of a larger map a part is tried in each run
 
+    void allow_tilt(View& view) const noexcept;
     void take(const Evidence* newest_first, int count) noexcept;
     void choose_seeds() noexcept;
     void propose_by_points() noexcept;
