@@ -81,6 +81,7 @@ TEST_P(KidnapTest, IsNotOkFromTheThirdFrameOnUntilItIsFoundAgainWithinFiveSecond
                 }
                 EXPECT_EQ(drive.robot.estimate().status, Status::ok);
                 EXPECT_EQ(drive.robot.estimate().resets, 1) << "counted once";
+                EXPECT_EQ(drive.robot.estimate().found, 1) << "and as its own";
                 EXPECT_LT(drive.error(), 0.3);
                 expect_sums_hold(drive.robot);
             }
@@ -142,7 +143,9 @@ TEST_P(KidnapTest, APoseFromOutsideThatIsWrongByAMetreIsCorrected) {
             EXPECT_TRUE(!right || drive.error() < 0.3) << drive.error() << " m off";
         }
         EXPECT_LT(frames, 50);
-        EXPECT_LE(drive.robot.estimate().resets, 2) << "the operator's and its own";
+        const Estimate e = drive.robot.estimate();
+        EXPECT_LE(e.found, 1);
+        EXPECT_EQ(e.resets, 1 + e.found) << "the operator's and its own";
     }
 }
 
