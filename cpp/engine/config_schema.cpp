@@ -149,7 +149,9 @@ std::size_t readable(std::string_view text) {
     constexpr unsigned shortest[] = {0, 0, 0xa0, 0x800, 0x10000};
     const bool surrogate = code >= 0xd800 && code <= 0xdfff;
     const bool special = code == 0xfeff || (code & 0xfffe) == 0xfffe;
-    return code < shortest[length] || surrogate || special ? 0 : length;
+    const bool breaks = code == 0x2028 || code == 0x2029;  // a line, a paragraph
+    const bool none = code < shortest[length] || surrogate || code > 0x10ffff;
+    return none || special || breaks ? 0 : length;
 }
 
 /// What stands on one line, in YAML and in a log.
@@ -164,8 +166,19 @@ bool is_name(std::string_view text) {
     return true;
 }
 
+/// With a question mark for each byte that people cannot read.
+std::string legible(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = readable(text);
+        result += length == 0 ? "?" : text.substr(0, length);
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return result;
+}
+
 [[noreturn]] void fail(const std::string& where, const std::string& what) {
-    throw ConfigError(where + ": " + what);
+    throw ConfigError(where + ": " + legible(what));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "pilotage/assess.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pilotage {
@@ -26,7 +27,8 @@ Assessment assess(const Track<Scalar, N>& track, const Params& params, double si
     if (j.finding == Finding::ambiguous) return rival;
     if (!track.located)
         return j.finding == Finding::elsewhere
-                   ? Assessment{Status::initializing, Reason::found, double(j.held),
+                   ? Assessment{Status::initializing, Reason::found,
+                                double(std::min(j.held, judging::kFrames)),
                                 double(judging::kFrames)}
                    : Assessment{Status::waiting, Reason::no_pose, 0, 0};
     if (j.finding == Finding::elsewhere)

@@ -134,8 +134,11 @@ void Localizer<Scalar, N>::set_time(std::int64_t utime) noexcept {
     while (history_.size() > 0) history_.pop_front();
     memory_ = {};
     base_ = now;
-    base_.agreed_utime += utime - base_.utime;
-    base_.utime = utime;
+    const std::int64_t by = utime - base_.utime;
+    for (std::int64_t* time :
+         {&base_.utime, &base_.agreed_utime, &base_.tilt_utime, &base_.searched_utime,
+          &base_.evidence_since, &base_.judgement.utime})
+        *time += by;
     base_.gyro.restart(utime);
 }
 

@@ -20,6 +20,8 @@ constexpr double kMoved_rad = 0.2;
 constexpr double kNoIdea_m = 10;
 constexpr double kNoIdea_rad = 1;
 
+constexpr std::int64_t kSearchDue_us = 1'000'000;  // so long ago that the first search is due
+
 constexpr int kLongSlip = 4;  // windows; after them the gyro may be stuck as well
 
 double square(double v) noexcept {
@@ -114,8 +116,9 @@ bool Tracker<Scalar, N>::restore(const Checkpoint& from, Track& track) const noe
 
 template <typename Scalar, int N>
 void Tracker<Scalar, N>::begin(Track& track, const Sample& motion) const noexcept {
-    track.utime = motion.utime;
-    track.agreed_utime = motion.utime;
+    track.utime = track.agreed_utime = motion.utime;
+    track.tilt_utime = track.evidence_since = motion.utime;
+    track.searched_utime = motion.utime - kSearchDue_us;
     track.started = true;
     (void)track.gyro.take(motion.utime, params_.motion.max_gap_s);
     if (params_.motion.source == MotionSource::encoders) {

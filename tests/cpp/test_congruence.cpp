@@ -49,6 +49,19 @@ TYPED_TEST(CongruenceTest, CalibratedCovarianceIsTheDenseProduct) {
     }
 }
 
+TYPED_TEST(CongruenceTest, FurtherStatesStayAndMoveWithThePoseTheyAreTiedTo) {
+    Draw draw(6);
+    for (int i = 0; i < 100; ++i) {
+        const CalibratedTransition<TypeParam> a{random_shear<TypeParam>(draw),
+                                                draw.normal<TypeParam, 3, 3>()};
+        const auto p = draw.covariance<TypeParam, 8>();
+        Matrix<TypeParam, 8> whole = Matrix<TypeParam, 8>::Identity();
+        whole.template topLeftCorner<6, 6>() = a.dense();
+        const Matrix<TypeParam, 8> dense = whole * p * whole.transpose();
+        EXPECT_TRUE(close(mirrored<TypeParam>(congruence(a, p)), dense, kTight<TypeParam>));
+    }
+}
+
 TYPED_TEST(CongruenceTest, CertainCalibrationLeavesThePlainShear) {
     Draw draw(3);
     const CalibratedTransition<TypeParam> a{random_shear<TypeParam>(draw),

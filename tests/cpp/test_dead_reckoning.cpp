@@ -4,8 +4,10 @@
 #include "pilotage/dead_reckoning.hpp"
 
 #include "support/matchers.hpp"
+#include "support/random.hpp"
 #include "support/robots.hpp"
 #include "support/scalars.hpp"
+#include "support/textbook_ekf.hpp"
 
 namespace pilotage::test {
 namespace {
@@ -120,6 +122,71 @@ TYPED_TEST(DeadReckoningTest, WheelsBesideAGyroMoveThePoseAlongItsHeadingOnly) {
     EXPECT_TRUE(close(after_a_metre<TypeParam>(HeadingSource::gyro),
                       wheels * 0.01 * wheels.transpose() + gyro * 0.0008 * gyro.transpose(),
                       tolerance<TypeParam>()));
+}
+
+/// All that may move, and a tilt.
+Params tilted_params() {
+    Params params = calibrated_params();
+    params.gyro_bias.walk = 0.001;
+    params.distance_scale.walk = 0.002;
+    params.rotation_scale.walk = 0.003;
+    params.noise.heading_rad_per_sqrt_m = 0.01;
+    params.tilt = {0.02, 0.03, 3};
+    return params;
+}
+
+template <typename Scalar>
+Increment<Scalar> random_motion(Draw& draw, const NoiseParams& noise) {
+    const Scalar left = draw.uniform<Scalar>(-0.1, 0.3), right = draw.uniform<Scalar>(-0.1, 0.3);
+    return with_gyro(from_wheels(left, right, Scalar(0.5), Scalar(0.5), noise),
+                     draw.uniform<Scalar>(-0.3, 0.3), HeadingSource::both, noise);
+}
+
+TYPED_TEST(DeadReckoningTest, OfATiltedBodyIsThatOfALevelOne) {
+    using Scalar = TypeParam;
+    const Params params = tilted_params();
+    Draw draw(7);
+    const Matrix<Scalar, 3> p = draw.covariance<Scalar, 3>(0.01);
+    auto six = start_filter<Scalar, 6>({1, 2, 3}, p, params);
+    auto eight = start_filter<Scalar, 8>({1, 2, 3}, p, params);
+    for (int i = 0; i < 50; ++i) {
+        const auto u = random_motion<Scalar>(draw, params.noise);
+        dead_reckon(six, u, params);
+        dead_reckon(eight, u, params);
+    }
+    EXPECT_TRUE(close(eight.state().template head<6>(), six.state(), kTight<Scalar>));
+    EXPECT_TRUE(
+        close(eight.covariance().template topLeftCorner<6, 6>(), six.covariance(), kTight<Scalar>));
+    EXPECT_NEAR(eight.covariance()(kPitch, kPitch), 4e-4, 1e-9);
+    EXPECT_NEAR(eight.covariance()(kRoll, kRoll), 9e-4, 1e-9);
+    EXPECT_EQ((eight.covariance().template bottomLeftCorner<2, 6>()),
+              (Matrix<Scalar, 2, 6>::Zero()));
+}
+
+/// Once a sighting has tied the tilt to the pose.
+TYPED_TEST(DeadReckoningTest, MovesWhatTiesATiltToThePoseAsATextbookDoes) {
+    using Scalar = TypeParam;
+    const Params params = tilted_params();
+    Draw draw(8);
+    for (int i = 0; i < 20; ++i) {
+        Ekf<Scalar, 8> filter{draw.normal<Scalar, 8>(), draw.covariance<Scalar, 8>()};
+        const auto u = random_motion<Scalar>(draw, params.noise);
+        const Calibrated<RobotMotion<Scalar>, Scalar> model{{Scalar(params.motion.slip_angle_rad)},
+                                                            u.dt_s * u.gyro_share};
+        const auto step = model.linearize(filter.state().template head<6>(),
+                                          Vector<Scalar, 2>(u.distance_m, u.turn_rad));
+        auto textbook = TextbookEkf::of(filter);
+        Eigen::MatrixXd a = Eigen::MatrixXd::Identity(8, 8);
+        a.topLeftCorner(6, 6) = wide(step.a.dense());
+        Eigen::VectorXd next = textbook.x, q = Eigen::VectorXd::Zero(8);
+        next.head(6) = wide(step.next);
+        q.head(3) = wide(pose_process_noise(u, params.noise));
+        q.segment(3, 3) = wide(calibration_process_noise(u, params));
+        textbook.predict(next, a, wide(step.b), wide(u.covariance), q);
+        dead_reckon(filter, u, params);
+        EXPECT_TRUE(close(filter.state(), textbook.x, kTight<Scalar>));
+        EXPECT_TRUE(close(filter.covariance(), textbook.p, kTight<Scalar>));
+    }
 }
 
 }  // namespace

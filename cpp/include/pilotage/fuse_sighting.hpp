@@ -164,6 +164,7 @@ template <typename Scalar, int N>
                                              const MarkerSensorParams& sensor, const Policy& policy,
                                              SightingReport& report) noexcept {
     const auto fuse = [&](auto hold, const Sighting& part) {
+        report.value = report.limit = NAN;
         (void)with_components<Scalar>(part, sensor, [&](const auto&... components) {
             fuse_components<decltype(hold)::value>(filter, marker, part, sensor, policy, report,
                                                    components...);

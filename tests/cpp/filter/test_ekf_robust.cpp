@@ -82,6 +82,25 @@ TYPED_TEST(EkfRobustTest, LikelyInnovationIsFusedAsWithoutWeight) {
     EXPECT_TRUE(same_bits(weighted.covariance(), plain.covariance()));
 }
 
+TYPED_TEST(EkfRobustTest, HeldBackBeyondTheGateIsOnlyReported) {
+    const Outlier<TypeParam> outlier;
+    const auto h = outlier.sighting.linearize(outlier.filter.state().template head<3>());
+    for (const Fusion fusion : {Fusion::gate, Fusion::student_t}) {
+        const auto policy = Policy::make(fusion, 0.001, 4);
+        auto held = outlier.filter, fused = outlier.filter;
+        const Vector<TypeParam, 2> far(1, -1), near(TypeParam(0.01), TypeParam(0.01));
+        const auto report = held.correct(far, h.jacobian, outlier.r, policy, true);
+        EXPECT_EQ(report.fault, UpdateFault::gated);
+        EXPECT_EQ(report.weight, 0);
+        EXPECT_GT(report.nis, policy.gate_nis[1]);
+        EXPECT_TRUE(same_bits(held.state(), outlier.filter.state()));
+        EXPECT_TRUE(same_bits(held.covariance(), outlier.filter.covariance()));
+        EXPECT_TRUE(held.correct(near, h.jacobian, outlier.r, policy, true).accepted());
+        EXPECT_TRUE(fused.correct(near, h.jacobian, outlier.r, policy).accepted());
+        EXPECT_TRUE(same_bits(held.state(), fused.state())) << "within it there is no difference";
+    }
+}
+
 // The report's NIS and S are those of the stated noise, so that consistency is judged by them.
 TYPED_TEST(EkfRobustTest, ReportSpeaksOfTheStatedNoiseWhateverTheWeight) {
     const Outlier<TypeParam> outlier;

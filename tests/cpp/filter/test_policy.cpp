@@ -68,6 +68,14 @@ TYPED_TEST(PolicyTest, GateComparesNisWithTheQuantileItself) {
     EXPECT_TRUE(policy.gated(TypeParam(NAN), 1));
 }
 
+TYPED_TEST(PolicyTest, WhoeverAsksForItGatesByEveryRule) {
+    for (const Fusion fusion : {Fusion::plain, Fusion::gate, Fusion::student_t}) {
+        const auto policy = Policy::make(fusion, 0.05, 4);
+        EXPECT_TRUE(policy.gated(TypeParam(6), 2, true));
+        EXPECT_FALSE(policy.gated(TypeParam(5.9), 2, true));
+    }
+}
+
 TYPED_TEST(PolicyTest, OnlyTheGateRejects) {
     EXPECT_FALSE(Policy::make(Fusion::plain, 0.05, 4).gated(TypeParam(1e6), 1));
     EXPECT_FALSE(Policy::make(Fusion::student_t, 0.05, 4).gated(TypeParam(1e6), 1));
@@ -87,6 +95,36 @@ TYPED_TEST(PolicyTest, WeightNeverExceedsOne) {
     EXPECT_EQ(policy.weight(TypeParam(0), 3), 1);
     EXPECT_EQ(policy.weight(TypeParam(3), 3), 1);
     EXPECT_LT(policy.weight(TypeParam(3.01), 3), 1);
+}
+
+TEST(UsualNisTest, IsWhatEveryRuleFusesWithFullWeight) {
+    for (const Fusion fusion : {Fusion::gate, Fusion::student_t})
+        for (const double false_reject : {0.5, 0.05, 0.001}) {
+            const Policy policy = Policy::make(fusion, false_reject, 4);
+            for (int dof = 1; dof <= 3; ++dof) {
+                const double usual = policy.usual_nis[dof - 1];
+                EXPECT_EQ(policy.weight(usual, dof), 1) << "dof " << dof;
+                EXPECT_FALSE(policy.gated(usual, dof, true)) << "dof " << dof;
+                EXPECT_TRUE(policy.weight(usual + 0.01, dof) < 1 ||
+                            policy.gated(usual + 0.01, dof, true) || fusion == Fusion::gate)
+                    << "dof " << dof << ": it is the largest such value";
+            }
+        }
+}
+
+TEST(UsualNisTest, IsTheGateWhereThatIsNarrow) {
+    const Policy narrow = Policy::make(Fusion::gate, 0.5, 4);
+    const Policy wide = Policy::make(Fusion::gate, 0.001, 4);
+    for (int dof = 1; dof <= 3; ++dof) {
+        EXPECT_EQ(narrow.usual_nis[dof - 1], narrow.gate_nis[dof - 1]);
+        EXPECT_LT(narrow.usual_nis[dof - 1], dof);
+        EXPECT_EQ(wide.usual_nis[dof - 1], dof);
+    }
+}
+
+TEST(UsualNisTest, IsAnyForPlainFusion) {
+    for (const Policy& policy : {Policy{}, Policy::make(Fusion::plain, 0.001, 4)})
+        for (const double usual : policy.usual_nis) EXPECT_EQ(usual, Policy::kAny);
 }
 
 TYPED_TEST(PolicyTest, PlainAndGateFuseWithFullWeight) {

@@ -163,6 +163,73 @@ TEST(AllocationTest, NoneWithStandstillSlipLiftGapsLateSamplesAndARestart) {
     expect_no_allocation_with_faults<float, 6>();
 }
 
+/// Starts anywhere, among markers without ids, the symmetry of which is broken late; is carried
+/// off; elevations alone go wrong. Every third frame comes late.
+std::vector<Sample> lost_drive(const MarkerMap& map) {
+    const MarkerMap rectangle({map.markers().begin(), map.markers().begin() + 4});
+    MarkerMap seen = rectangle;
+    Journey journey(seen);
+    journey.truth = {1, 0.5, -2};
+    journey.ids = false;
+    journey.elevation = true;
+    std::vector<std::pair<std::int64_t, Sample>> arrivals;
+    const auto go = [&](double seconds, double off_rad) {
+        for (Sample& sample : journey.go(seconds, 0.4, 0.3)) {
+            const bool late = sample.stream == Stream::sighting && sample.seq % 3 == 0;
+            if (sample.stream == Stream::sighting) sample.payload.sighting.value[1] += off_rad;
+            arrivals.emplace_back(sample.utime + (late ? 500'000 : 0), sample);
+        }
+    };
+    go(2, 0);
+    seen = map;
+    go(4, 0);
+    journey.truth[kX] += 3;
+    go(3, 0);
+    go(3, 0.3);
+    std::stable_sort(arrivals.begin(), arrivals.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Sample> samples;
+    for (const auto& [time, sample] : arrivals) samples.push_back(sample);
+    return samples;
+}
+
+template <typename Scalar, int N>
+void expect_no_allocation_where_lost() {
+    const MarkerMap map({{1, 5, 3, 0.4, 0},
+                         {2, -5, 3, 0.4, 0},
+                         {3, -5, -3, 0.4, 0},
+                         {4, 5, -3, 0.4, 0},
+                         {5, 1, 6, 0.4, 0.01}});
+    const std::vector<Sample> samples = lost_drive(map);
+    Params params = gyro_params();
+    params.initial = {};
+    params.tilt.pitch_sigma_rad = params.tilt.roll_sigma_rad = 0.01;
+    Counter counter;
+    Localizer<Scalar, N> localizer(params, map, counter);
+    const AllocationCount allocations;
+    bool ambiguous = false, lost = false, refound = false;
+    for (const Sample& sample : samples) {
+        localizer.add(sample);
+        const Estimate e = localizer.estimate();
+        ambiguous |= e.status == Status::ambiguous;
+        lost |= e.status == Status::lost;
+        refound |= e.status == Status::ok && e.resets == 1;
+    }
+    localizer.finish();
+    EXPECT_EQ(allocations.since(), 0);
+    EXPECT_TRUE(ambiguous && lost && refound) << ambiguous << lost << refound;
+    EXPECT_GT(counter.count(Verdict::not_initialized), 60);
+    EXPECT_GT(counter.count(Verdict::fused), 1400);
+}
+
+TEST(AllocationTest, NoneWhereThePoseIsSearchedForAndMarkersAreFound) {
+    expect_no_allocation_where_lost<double, 3>();
+    expect_no_allocation_where_lost<double, 6>();
+    expect_no_allocation_where_lost<double, 8>();
+    expect_no_allocation_where_lost<float, 3>();
+    expect_no_allocation_where_lost<float, 6>();
+}
+
 TEST(AllocationTest, NoneInDoubleWithThreeStates) {
     expect_no_allocation<double, 3>(Fusion::student_t);
     expect_no_allocation<double, 3>(Fusion::gate);

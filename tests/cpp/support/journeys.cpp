@@ -39,8 +39,8 @@ void Journey::look(std::vector<Sample>& samples) {
     for (const Marker& marker : map_->markers()) {
         Vector<double, 3> seen = view(Pose<double>(truth + lie), marker);
         seen += noise * Vector<double, 3>(0.02, 0.02, 0.1).cwiseProduct(draw_.normal<double, 3>());
-        Sample sample =
-            sighting_at(utime, marker.id, only(seen, bearing, elevation, range), index++);
+        Sample sample = sighting_at(utime, ids ? marker.id : kUnknownId,
+                                    only(seen, bearing, elevation, range), index++);
         sample.seq = frames_;
         samples.push_back(sample);
     }

@@ -21,6 +21,7 @@ class Journey {
     double left_spin_m_s = 0, right_spin_m_s = 0;  ///< of a wheel on ice
     bool encoders = true, gyro = true, camera = true;
     bool bearing = true, elevation = false, range = true;
+    bool ids = true;               ///< the camera tells which marker it sees
     double noise = 1;              ///< times the camera's sigmas of 0.02 rad and 0.1 m
     double carried_m_s = 0;        ///< along x, without the wheels
     double carried_rad_s = 0;      ///< likewise

@@ -20,7 +20,7 @@ struct Bearing {
     }
 
     [[nodiscard]] Bend<Scalar> bend(const LineOfSight<Scalar>& sight) const noexcept {
-        return {0, 1 / sight.ground_squared, 0};
+        return {0, -1 / sight.ground_squared, 0};
     }
 };
 

@@ -10,7 +10,7 @@
 namespace pilotage {
 
 /// Second derivatives of a component by the sensor's place, along the line of sight over ground and
-/// across it.
+/// across it, left of it positive.
 template <typename Scalar>
 struct Bend {
     Scalar along, mixed, across;

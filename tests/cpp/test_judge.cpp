@@ -1,0 +1,368 @@
+// When the judge takes a pose that a search found, and when it says that it cannot tell.
+
+#include "pilotage/judge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "support/matchers.hpp"
+#include "support/robots.hpp"
+
+namespace pilotage::test {
+namespace {
+
+using judging::kDecisive;
+using judging::kFrames;
+using judging::kMarkers;
+using judging::kSuspicious;
+
+/// A robot that moves on between frames, and what its search tells the judge of each. Places are
+/// those where it began.
+class Hearing {
+   public:
+    Judgement judgement;
+    Claim claim;
+
+    /// An idea of where the robot is now, if it began at a pose; better than the estimate by so
+    /// many nats, by all sightings and by the latest alike.
+    [[nodiscard]] Hypothesis idea(const Pose<double>& began, double nats) const {
+        Hypothesis h;
+        h.pose = Frame(began).out_of(odometry_);
+        h.covariance = Pose<double>(4e-4, 4e-4, 1e-4).asDiagonal();
+        h.log_evidence = claim.log_evidence + nats;
+        h.gain = nats;
+        h.markers = 0b10110;
+        return h;
+    }
+
+    /// An estimate by which the robot began at the origin.
+    void claims(bool confirmed) {
+        claim.made = true;
+        claim.confirmed = confirmed;
+        claim.pose = odometry_;
+        claim.covariance = Pose<double>(0.01, 0.01, 0.001).asDiagonal();
+    }
+
+    void move(double distance_m = judging::kWay_m / (kFrames - 1) + 0.001, double turn_rad = 0.01,
+              std::int64_t time_us = 100'000) {
+        odometry_ = after_arc(odometry_, distance_m, turn_rad);
+        utime_ += time_us;
+        if (claim.made) claim.pose = odometry_;
+    }
+
+    /// \return the place in `found` of the one that wins, -1 if none does
+    int ask(const std::vector<Hypothesis>& found) {
+        const Hypothesis* winner = judge(
+            judgement, claim, {found.data(), static_cast<int>(found.size())}, odometry_, utime_);
+        return winner == nullptr ? -1 : static_cast<int>(winner - found.data());
+    }
+
+    /// Asks as often as it takes, with way enough in between.
+    /// \return the finding of the last but one frame
+    Finding ask_to_the_end(const Pose<double>& began, double nats) {
+        Finding finding = Finding::fine;
+        for (int i = 1; i <= kFrames; ++i) {
+            finding = judgement.finding;
+            const int winner = ask({idea(began, nats)});
+            EXPECT_EQ(winner, i < kFrames ? -1 : 0) << "frame " << i;
+            EXPECT_EQ(judgement.held, i);
+            move();
+        }
+        return finding;
+    }
+
+   private:
+    Pose<double> odometry_{0, 0, 0};
+    std::int64_t utime_ = 0;
+};
+
+const Pose<double> kHere(0, 0, 0), kThere(5, -2, 1), kElsewhere(-4, 3, -2);
+
+TEST(JudgeTest, FindsNothingAmissWhereNothingWasFound) {
+    Hearing hearing;
+    EXPECT_EQ(hearing.ask({}), -1);
+    EXPECT_EQ(hearing.judgement.finding, Finding::fine);
+    for (const bool confirmed : {false, true}) {
+        hearing.claims(confirmed);
+        EXPECT_EQ(hearing.ask({}), -1);
+        EXPECT_EQ(hearing.judgement.finding, Finding::fine);
+    }
+}
+
+TEST(JudgeTest, TakesAPoseWhereThereIsNoneIfItIsFarBetterThanChance) {
+    Hearing hearing;
+    EXPECT_EQ(hearing.ask({hearing.idea(kThere, kDecisive - 0.1)}), -1);
+    EXPECT_EQ(hearing.judgement.finding, Finding::fine) << "it may be chance";
+    EXPECT_EQ(hearing.judgement.held, 0);
+    EXPECT_EQ(hearing.ask_to_the_end(kThere, kDecisive + 0.1), Finding::elsewhere);
+}
+
+TEST(JudgeTest, DoubtsAConfirmedEstimateBeforeItGivesItUp) {
+    Hearing hearing;
+    hearing.claims(true);
+    hearing.ask({hearing.idea(kThere, kSuspicious - 0.1)});
+    EXPECT_EQ(hearing.judgement.finding, Finding::fine);
+    for (const double nats : {kSuspicious + 0.1, kDecisive - 0.1}) {
+        hearing.ask({hearing.idea(kThere, nats)});
+        EXPECT_EQ(hearing.judgement.finding, Finding::ambiguous);
+        EXPECT_EQ(hearing.judgement.margin, nats) << "is what it says";
+    }
+    EXPECT_EQ(hearing.ask_to_the_end(kThere, kDecisive + 0.1), Finding::elsewhere);
+}
+
+/// What spoke for it before does not count: the robot may just have been carried off.
+TEST(JudgeTest, HoldsAConfirmedEstimateAgainstTheLatestSightingsAlone) {
+    Hearing hearing;
+    hearing.claims(true);
+    Hypothesis late = hearing.idea(kThere, 20);
+    late.log_evidence = -1000;
+    hearing.ask({late});
+    EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere);
+    Hypothesis early = hearing.idea(kThere, 0);
+    early.log_evidence = 1000;
+    hearing.ask({early});
+    EXPECT_EQ(hearing.judgement.finding, Finding::fine);
+}
+
+TEST(JudgeTest, HoldsAnEstimateThatIsNotConfirmedAgainstAllSightings) {
+    Hearing hearing;
+    hearing.claim.log_evidence = 40;
+    hearing.claims(false);
+    for (const double gain : {-1000.0, 1000.0}) {
+        Hypothesis rival = hearing.idea(kThere, -kDecisive - 0.1);
+        rival.gain = gain;
+        hearing.ask({rival});
+        EXPECT_EQ(hearing.judgement.finding, Finding::fine) << "the estimate stands";
+        for (const double nats : {-kDecisive + 0.1, kDecisive - 0.1}) {
+            rival.log_evidence = hearing.claim.log_evidence + nats;
+            hearing.ask({rival});
+            EXPECT_EQ(hearing.judgement.finding, Finding::ambiguous) << "either may be it";
+        }
+        rival.log_evidence = hearing.claim.log_evidence + kDecisive + 0.1;
+        hearing.ask({rival});
+        EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere);
+        hearing.judgement = {};
+    }
+}
+
+/// As that of an operator beside that of a checkpoint, against which some nats speak.
+TEST(JudgeTest, AWeakerPriorNeedsLessToBeDoubted) {
+    Hearing hearing;
+    hearing.claims(false);
+    const Hypothesis rival = hearing.idea(kThere, -kDecisive - 1);
+    hearing.ask({rival});
+    EXPECT_EQ(hearing.judgement.finding, Finding::fine);
+    hearing.claim.log_evidence = -3;
+    hearing.ask({rival});
+    EXPECT_EQ(hearing.judgement.finding, Finding::ambiguous);
+}
+
+TEST(JudgeTest, TwoThatAreAlikeAreAmbiguous) {
+    for (const int estimate : {0, 1, 2}) {
+        Hearing hearing;
+        if (estimate > 0) hearing.claims(estimate == 2);
+        for (int frame = 0; frame < 10; ++frame) {
+            const auto best = hearing.idea(kThere, 30);
+            const auto close = hearing.idea(kElsewhere, 30 - kDecisive + 0.1);
+            EXPECT_EQ(hearing.ask({best, close}), -1) << "estimate " << estimate;
+            EXPECT_EQ(hearing.judgement.finding, Finding::ambiguous);
+            EXPECT_EQ(hearing.judgement.held, 0);
+            EXPECT_NEAR(hearing.judgement.margin, kDecisive - 0.1, 1e-9);
+            hearing.move();
+        }
+    }
+}
+
+TEST(JudgeTest, TheBestWinsByItsLeadBeforeTheSecondWhateverTheirOrder) {
+    for (const std::size_t first : {0U, 1U}) {
+        Hearing hearing;
+        int winner = -1;
+        for (int frame = 0; frame < kFrames; ++frame) {
+            std::vector<Hypothesis> found(3, hearing.idea(kElsewhere, 30 - kDecisive - 0.1));
+            found[2] = hearing.idea({8, 8, 0}, 10);
+            found[first] = hearing.idea(kThere, 30);
+            winner = hearing.ask(found);
+            hearing.move();
+        }
+        EXPECT_EQ(winner, static_cast<int>(first));
+    }
+}
+
+TEST(JudgeTest, ALeaderThatStandsIsNotTried) {
+    Hearing hearing;
+    for (int frame = 1; frame < 20; ++frame) {
+        EXPECT_EQ(hearing.ask({hearing.idea(kThere, 30)}), -1)
+            << "what misleads a robot that stands does so again and again";
+        EXPECT_EQ(hearing.judgement.held, frame);
+        hearing.move(0.01, 0.008);
+    }
+}
+
+/// Or after a turn, or a time, whichever comes first.
+TEST(JudgeTest, ALeaderHasToHoldOverAWay) {
+    struct Steps {
+        double distance_m, turn_rad;
+        std::int64_t time_us;
+        int frames;
+    };
+    for (const Steps& steps : {Steps{judging::kWay_m / 10 + 1e-6, 0, 100, 11},
+                               Steps{0, judging::kWay_rad / 10 + 1e-6, 100, 11},
+                               Steps{0, -judging::kWay_rad / 10 - 1e-6, 100, 11},
+                               Steps{0, 0, judging::kWait_us / 10, 11}, Steps{1, 0, 100, kFrames},
+                               Steps{0, 0, judging::kWait_us, kFrames}}) {
+        Hearing hearing;
+        int frames = 1;
+        while (hearing.ask({hearing.idea(kThere, 30)}) < 0 && frames < 100) {
+            hearing.move(steps.distance_m, steps.turn_rad, steps.time_us);
+            ++frames;
+        }
+        EXPECT_EQ(frames, steps.frames)
+            << steps.distance_m << " m, " << steps.turn_rad << " rad, " << steps.time_us << " us";
+    }
+}
+
+/// Two may be swapped, or one be moved.
+TEST(JudgeTest, AConfirmedEstimateFallsToThreeMarkersOnlyIfThereAreSoMany) {
+    for (const bool confirmed : {false, true})
+        for (const int needed : {2, kMarkers}) {
+            Hearing hearing;
+            hearing.claims(confirmed);
+            hearing.claim.markers = needed;
+            for (int frame = 1; frame <= 2 * kFrames; ++frame) {
+                Hypothesis two = hearing.idea(kThere, 30);
+                two.markers = 0b101;
+                const bool wins = (!confirmed || needed == 2) && frame >= kFrames;
+                EXPECT_EQ(hearing.ask({two}), wins ? 0 : -1) << "frame " << frame;
+                EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere) << "it is no longer OK";
+                hearing.move();
+            }
+        }
+}
+
+TEST(JudgeTest, ARowThatIsBrokenStartsAnew) {
+    const auto breaks = {
+        +[](Hearing&) { return std::vector<Hypothesis>(); },
+        +[](Hearing& h) { return std::vector<Hypothesis>{h.idea(kThere, kDecisive - 1)}; },
+        +[](Hearing& h) {
+            return std::vector<Hypothesis>{h.idea(kThere, 30), h.idea(kElsewhere, 29)};
+        }};
+    for (const auto& broken : breaks) {
+        Hearing hearing;
+        for (int frame = 1; frame < kFrames; ++frame) {
+            hearing.ask({hearing.idea(kThere, 30)});
+            hearing.move();
+        }
+        EXPECT_EQ(hearing.ask(broken(hearing)), -1);
+        EXPECT_EQ(hearing.judgement.held, 0);
+        hearing.move();
+        (void)hearing.ask_to_the_end(kThere, 30);
+    }
+}
+
+TEST(JudgeTest, AnotherLeaderStartsAnew) {
+    Hearing hearing;
+    for (int frame = 0; frame < 20; ++frame) {
+        EXPECT_EQ(hearing.ask({hearing.idea(frame % 2 == 0 ? kThere : kElsewhere, 30)}), -1);
+        EXPECT_EQ(hearing.judgement.held, 1);
+        hearing.move();
+    }
+}
+
+/// Some pose explains what little was seen, over a wide range.
+TEST(JudgeTest, AVaguePoseIsNoneYet) {
+    for (const int entry : {kX, kY, kHeading}) {
+        Hearing hearing;
+        const double most = entry == kHeading ? judging::kVaguest_rad2 : judging::kVaguest_m2;
+        for (int frame = 0; frame < 2 * kFrames; ++frame) {
+            Hypothesis vague = hearing.idea(kThere, 30);
+            vague.covariance(entry, entry) = 1.01 * most;
+            EXPECT_EQ(hearing.ask({vague}), -1);
+            EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere);
+            EXPECT_EQ(hearing.judgement.held, 0);
+            hearing.move();
+        }
+        for (int frame = 1; frame <= kFrames; ++frame) {
+            Hypothesis sure = hearing.idea(kThere, 30);
+            sure.covariance(entry, entry) = 0.99 * most;
+            EXPECT_EQ(hearing.ask({sure}), frame < kFrames ? -1 : 0);
+            hearing.move();
+        }
+    }
+}
+
+/// It must go where dead reckoning says that the robot went.
+TEST(JudgeTest, ALeaderThatDoesNotMoveWithTheRobotStartsAnew) {
+    Hearing hearing;
+    const Hypothesis stays = hearing.idea(kThere, 30);
+    for (int frame = 0; frame < 9; ++frame) {
+        EXPECT_EQ(hearing.ask({stays}), -1);
+        EXPECT_EQ(hearing.judgement.held, 1);
+        hearing.move(0.3, 0.1);
+    }
+}
+
+TEST(JudgeTest, WhatIsTheEstimateItselfIsNoRival) {
+    const double sigma_m = std::sqrt(0.01 + 4e-4), sigma_rad = std::sqrt(0.001 + 1e-4);
+    for (const bool confirmed : {false, true}) {
+        for (const Pose<double>& same :
+             {Pose<double>(0, 0, 0), Pose<double>(0.2, -0.2, 0.09),
+              Pose<double>(3.9 * sigma_m, 0, 0), Pose<double>(0, 0, -3.9 * sigma_rad),
+              Pose<double>(0, 0.29, 2 * kPi<double> - 0.09)}) {
+            Hearing hearing;
+            hearing.claims(confirmed);
+            EXPECT_EQ(hearing.ask({hearing.idea(same, 100)}), -1) << same.transpose();
+            EXPECT_EQ(hearing.judgement.finding, Finding::fine) << same.transpose();
+        }
+        for (const Pose<double>& other :
+             {Pose<double>(4.1 * sigma_m, 0, 0), Pose<double>(0, 0, 4.1 * sigma_rad)}) {
+            Hearing hearing;
+            hearing.claims(confirmed);
+            hearing.ask({hearing.idea(other, 100)});
+            EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere) << other.transpose();
+        }
+    }
+}
+
+/// However sure both are, thirty centimetres are no other pose: the filter goes there by itself.
+TEST(JudgeTest, WhatIsNextToASureEstimateIsNoRival) {
+    Hearing hearing;
+    hearing.claims(true);
+    hearing.claim.covariance *= 1e-6;
+    Hypothesis next = hearing.idea({0.29, 0, -0.09}, 100);
+    next.covariance *= 1e-6;
+    hearing.ask({next});
+    EXPECT_EQ(hearing.judgement.finding, Finding::fine);
+    next.pose[kX] = 0.31;
+    hearing.ask({next});
+    EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere);
+}
+
+TEST(JudgeTest, WhatIsTheEstimateItselfIsNoSecondEither) {
+    Hearing hearing;
+    hearing.claims(true);
+    for (int frame = 1; frame <= kFrames; ++frame) {
+        const int winner = hearing.ask({hearing.idea(kThere, 30), hearing.idea(kHere, 29)});
+        EXPECT_EQ(winner, frame < kFrames ? -1 : 0);
+        hearing.move();
+    }
+}
+
+TEST(IdeasTest, MoveWithTheRobot) {
+    Ideas ideas;
+    Pose<double> recalled[Ideas::kMost];
+    EXPECT_EQ(ideas.recall(kThere, recalled), 0);
+    const Pose<double> then(3, 2, 1), now = after_arc(then, 0.7, 0.4);
+    std::vector<Hypothesis> found(2);
+    for (std::size_t i = 0; i < 2; ++i) found[i].pose = i == 0 ? kThere : kElsewhere;
+    ideas.remember({found.data(), 2}, then);
+    const Ideas copy = ideas;
+    ASSERT_EQ(copy.recall(now, recalled), 2);
+    EXPECT_TRUE(same_pose(recalled[0], after_arc(kThere, 0.7, 0.4), 1e-12));
+    EXPECT_TRUE(same_pose(recalled[1], after_arc(kElsewhere, 0.7, 0.4), 1e-12));
+    ideas.remember({}, now);
+    EXPECT_EQ(ideas.recall(now, recalled), 0);
+}
+
+}  // namespace
+}  // namespace pilotage::test
