@@ -49,8 +49,8 @@ std::string explain(const Assessment& a) {
                 a.value, a.limit);
         case Reason::elsewhere:
             return words(
-                "another pose explains the latest sightings better by %.1f nats (limit %.1f): was "
-                "the robot moved?",
+                "another pose explains the latest sightings better by %.1f nats (limit %.1f): the "
+                "robot was moved, or encoders, gyro or markers are wrong",
                 a.value, a.limit);
         case Reason::disagreement:
             return words(

@@ -32,7 +32,8 @@ class Fixer {
     [[nodiscard]] bool doubtful(const Track& track) const noexcept;
     /// How many of the latest sightings to do it with.
     [[nodiscard]] static int evidence_wanted(const Track& track) noexcept {
-        constexpr int few = 16;  // where the robot may have been carried off, or its motion is wrong
+        constexpr int few =
+            16;  // where the robot may have been carried off, or its motion is wrong
         return track.confirmed ? few : PoseSearch::kMostEvidence;
     }
     /// Looks for them, and takes the one that the judge prefers to the estimate.

@@ -50,7 +50,7 @@ inline constexpr double kVaguest_m2 = 1, kVaguest_rad2 = 0.1;
 /// The same place for all practical purposes: the filter goes there by itself.
 [[nodiscard]] inline bool near(const Pose<double>& a, const Pose<double>& b) noexcept {
     const Pose<double> off = minus<double, 3>(a, b);
-    return std::hypot(off[kX], off[kY]) < 0.3 && std::abs(off[kHeading]) < 0.1;
+    return std::hypot(off[kX], off[kY]) < 0.2 && std::abs(off[kHeading]) < 0.1;
 }
 
 }  // namespace judging
@@ -122,7 +122,8 @@ struct Claim {
 /// \param odometry pose of the robot by dead reckoning alone
 /// \return the hypothesis that wins, or nullptr as long as none does
 [[nodiscard]] inline const Hypothesis* judge(Judgement& j, const Claim& claim,
-                                             const Hypotheses& found, const Pose<double>& odometry) noexcept {
+                                             const Hypotheses& found,
+                                             const Pose<double>& odometry) noexcept {
     using namespace judging;
     // By how much each explains the sightings better than the estimate does, or than chance. An
     // estimate that was confirmed is held against the latest alone: before them the robot may not
