@@ -227,6 +227,9 @@ std::vector<Field> fields(Config& c) {
         "process noise of the heading per turn");
     add("noise.heading_rad_per_sqrt_s", &p.noise.heading_rad_per_sqrt_s, Range::not_negative,
         "process noise of the heading per time");
+    add("noise.adaptation", choice(p.noise.adaptation, {"off", "on"}), Range::any,
+        "on: the innovations scale the noise of each sensor and of the motion, by 1/4 to 4 in "
+        "sigma");
     add_calibration(list, "gyro_bias", p.gyro_bias, Range::any);
     add_calibration(list, "distance_scale", p.distance_scale, Range::positive);
     add_calibration(list, "rotation_scale", p.rotation_scale, Range::positive);

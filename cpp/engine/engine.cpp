@@ -268,6 +268,10 @@ void Engine::publish_status(std::int64_t drops) {
     message.version = PILOTAGE_VERSION;
     message.n_inputs = static_cast<std::int32_t>(inputs_.size());
     for (const Input& input : inputs_) message.inputs.push_back(input.status(now_));
+    const NoiseScale noise = std::visit([](const auto& l) { return l.noise(); }, localizer_);
+    for (std::size_t i = 0; i < config_.sensor_names.size(); ++i)
+        message.inputs[i].noise_scale = noise.sensor(static_cast<int>(i));
+    message.inputs[motion_].noise_scale = noise.motion();
     publisher_.status(message);
     motion_problem_.clear();
 }

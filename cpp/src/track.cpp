@@ -229,7 +229,13 @@ Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
 
 template <typename Scalar, int N>
 void Tracker<Scalar, N>::drive(Track& track, const Increment<Scalar>& u) const noexcept {
-    dead_reckon(track.filter, u, params_);
+    if (params_.noise.adapts()) {
+        const double scale = track.noise.motion();
+        dead_reckon(track.filter, with_noise_times(Scalar(scale * scale), u, params_.noise),
+                    params_);
+    } else {
+        dead_reckon(track.filter, u, params_);
+    }
     if (!(track.filter.covariance().trace() <= Scalar(kUnsurestHeading)))
         track.filter = bounded(track.filter);
 }

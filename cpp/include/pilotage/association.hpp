@@ -47,9 +47,10 @@ class Associator {
     /// Finds the markers of the sightings without id. Those with one keep it, and their marker is
     /// no choice for others.
     /// \param robot pose at the frame's time, with its covariance
+    /// \param stated_scale on the sigmas that sightings state; those of `sensor` hold as they are
     void resolve(const Pose<Scalar>& robot, const Matrix<Scalar, 3>& covariance,
-                 const MarkerMap& map, const MarkerSensorParams& sensor,
-                 const Policy& policy) noexcept;
+                 const MarkerMap& map, const MarkerSensorParams& sensor, const Policy& policy,
+                 double stated_scale = 1) noexcept;
 
     /// Of the i-th sighting added.
     [[nodiscard]] const Association& operator[](std::size_t i) const noexcept { return found_[i]; }

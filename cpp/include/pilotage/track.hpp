@@ -13,6 +13,7 @@
 #include "pilotage/judge.hpp"
 #include "pilotage/motion/motion_check.hpp"
 #include "pilotage/motion/odometer.hpp"
+#include "pilotage/noise_scale.hpp"
 #include "pilotage/params.hpp"
 #include "pilotage/samples.hpp"
 #include "pilotage/search/frame.hpp"
@@ -36,6 +37,7 @@ struct Track {
     Agreement agreement;
     Judgement judgement;
     Drift drift;
+    NoiseScale noise;  ///< stays as it was begun unless params.noise.adapts()
     std::int64_t utime = 0;
     std::int64_t agreed_utime = 0;      ///< of the last sighting that agreed
     std::int64_t tilt_utime = 0;        ///< when it was settled, where tilt is a state
