@@ -179,13 +179,21 @@ void Engine::on_verdict(const Sample& sample, Verdict before, Verdict now) {
 }
 
 void Engine::on_sighting(const SightingReport& report) {
-    if (report.revision == 0) inputs_[report.sensor].reported(report);
+    if (report.revision == 0)
+        inputs_[report.sensor].reported(report, distance_to(config_.map.find(report.id)));
     publisher_.report(report);
+}
+
+/// Over ground, from the newest pose that was published; NaN of no marker.
+double Engine::distance_to(const Marker* marker) const noexcept {
+    if (marker == nullptr) return NAN;
+    return std::hypot(marker->x_m - newest_pose_[kX], marker->y_m - newest_pose_[kY]);
 }
 
 /// The newest motion sample is a newer one than before.
 void Engine::publish_moved() {
     const Estimate e = estimate();
+    newest_pose_ = e.pose;
     const std::optional<Jump> jump = pose_output_.follow(e);
     if (e.disagreement_rad != 0) motion_problem_ = disagreement(e);
     if (config_.output.rate_hz == 0) publisher_.pose(e, pose_output_.resets());

@@ -12,15 +12,16 @@ bool wrapped(double heading) {
     return heading > -pi && heading <= pi;
 }
 
-/// What was measured was held against the map: all of it is there, and nothing else. A sender may
-/// state a sigma whose square is infinite.
+/// What was measured was held against the map: all of it is there, and nothing else; an elevation
+/// may have been left out of the NIS. A sender may state a sigma whose square is infinite.
 bool fully_judged(const marker_report_t& report) {
     int measured = 0;
     for (int i = 0; i < 3; ++i) {
         if (std::isfinite(report.innovation[i]) != (report.sigma[i] >= 0)) return false;
         measured += std::isfinite(report.innovation[i]);
     }
-    return std::isfinite(report.nis) && measured == report.dof;
+    const bool left_out = measured == report.dof + 1 && std::isfinite(report.innovation[1]);
+    return std::isfinite(report.nis) && (measured == report.dof || left_out);
 }
 
 bool not_judged(const marker_report_t& report) {
