@@ -243,7 +243,7 @@ std::vector<Field> fields(Config& c) {
                    c.sensor_inputs[static_cast<std::size_t>(i)],
                    p.sensors[static_cast<std::size_t>(i)]);
     add("initial.x_m", &p.initial.x_m, Range::unset_or_any,
-        "start; without it a pose_reset_t is awaited");
+        "start; without it the pose is found from sightings, or set by a pose_reset_t");
     add("initial.y_m", &p.initial.y_m, Range::unset_or_any, "start");
     add("initial.heading_rad", &p.initial.heading_rad, Range::unset_or_any, "start");
     add("initial.sigma_position_m", &p.initial.sigma_position_m, Range::not_negative,

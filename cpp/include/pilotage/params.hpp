@@ -86,7 +86,7 @@ struct MarkerSensorParams {
     double student_t_dof = 4;
 };
 
-/// Start of the filter; a position of NaN means: wait for a pose_reset_t.
+/// Start of the filter; NaN: the pose is found from sightings, or set by a pose_reset_t.
 struct InitialParams {
     double x_m = std::numeric_limits<double>::quiet_NaN();
     double y_m = std::numeric_limits<double>::quiet_NaN();
