@@ -37,7 +37,6 @@ struct Track {
     Agreement agreement;
     Judgement judgement;
     Drift drift;
-    NoiseScale noise;  ///< stays as it was begun unless params.noise.adapts()
     std::int64_t utime = 0;
     std::int64_t agreed_utime = 0;      ///< of the last sighting that agreed
     std::int64_t tilt_utime = 0;        ///< when it was settled, where tilt is a state
@@ -45,6 +44,7 @@ struct Track {
     std::int64_t evidence_since = 0;    ///< nothing older speaks of this pose
     Increment<Scalar> motion;           ///< of the last motion sample that took time
     Vector<Scalar, 2> driven = {0, 0};  ///< (distance [m], turn [rad]) of the last motion sample
+    NoiseScale noise;                   ///< stays as it was begun unless params.noise.adapts()
     std::int32_t resets = 0;
     bool started = false;    ///< a motion sample has come
     bool located = false;    ///< the pose is an estimate; else the filter only adds up the motion
@@ -114,6 +114,7 @@ class Tracker {
                                               Verdict& verdict) const noexcept;
     [[nodiscard]] Increment<Scalar> by_velocity(const BodyVelocity& velocity, double dt_s,
                                                 RotationStep& rotation) const noexcept;
+    void drive_as_learned(Track& track, const Increment<Scalar>& u) const noexcept;
     [[nodiscard]] Pose<double> judged_window(Track& track) const noexcept;
     [[nodiscard]] Pose<double> farthest(const Track& track, double time_s,
                                         bool turn_known) const noexcept;
