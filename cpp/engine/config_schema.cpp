@@ -240,6 +240,9 @@ std::vector<Field> fields(Config& c) {
         "process noise of the heading per turn");
     add("noise.heading_rad_per_sqrt_s", &p.noise.heading_rad_per_sqrt_s, Range::not_negative,
         "process noise of the heading per time");
+    add("noise.adaptation", choice(p.noise.adaptation, {"off", "on"}), Range::any,
+        "on: the innovations scale the noise of each sensor and of the motion, by 1/4 to 4 in "
+        "sigma");
     add_calibration(list, "gyro_bias", p.gyro_bias, Range::any);
     add_calibration(list, "distance_scale", p.distance_scale, Range::positive);
     add_calibration(list, "rotation_scale", p.rotation_scale, Range::positive);
@@ -253,7 +256,7 @@ std::vector<Field> fields(Config& c) {
                    c.sensor_inputs[static_cast<std::size_t>(i)],
                    p.sensors[static_cast<std::size_t>(i)]);
     add("initial.x_m", &p.initial.x_m, Range::unset_or_any,
-        "start; without it a pose_reset_t is awaited");
+        "start; without it the pose is found from sightings, or set by a pose_reset_t");
     add("initial.y_m", &p.initial.y_m, Range::unset_or_any, "start");
     add("initial.heading_rad", &p.initial.heading_rad, Range::unset_or_any, "start");
     add("initial.sigma_position_m", &p.initial.sigma_position_m, Range::not_negative,

@@ -179,13 +179,21 @@ void Engine::on_verdict(const Sample& sample, Verdict before, Verdict now) {
 }
 
 void Engine::on_sighting(const SightingReport& report) {
-    if (report.revision == 0) inputs_[report.sensor].reported(report);
+    if (report.revision == 0)
+        inputs_[report.sensor].reported(report, distance_to(config_.map.find(report.id)));
     publisher_.report(report);
+}
+
+/// Over ground, from the newest pose that was published; NaN of no marker.
+double Engine::distance_to(const Marker* marker) const noexcept {
+    if (marker == nullptr) return NAN;
+    return std::hypot(marker->x_m - newest_pose_[kX], marker->y_m - newest_pose_[kY]);
 }
 
 /// The newest motion sample is a newer one than before.
 void Engine::publish_moved() {
     const Estimate e = estimate();
+    newest_pose_ = e.pose;
     const std::optional<Jump> jump = pose_output_.follow(e);
     if (e.disagreement_rad != 0) motion_problem_ = disagreement(e);
     if (jump && e.found != found_)
@@ -271,6 +279,10 @@ void Engine::publish_status(std::int64_t drops) {
     message.version = PILOTAGE_VERSION;
     message.n_inputs = static_cast<std::int32_t>(inputs_.size());
     for (const Input& input : inputs_) message.inputs.push_back(input.status(now_));
+    const NoiseScale noise = std::visit([](const auto& l) { return l.noise(); }, localizer_);
+    for (std::size_t i = 0; i < config_.sensor_names.size(); ++i)
+        message.inputs[i].noise_scale = noise.sensor(static_cast<int>(i));
+    message.inputs[motion_].noise_scale = noise.motion();
     publisher_.status(message);
     motion_problem_.clear();
 }

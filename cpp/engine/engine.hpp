@@ -77,6 +77,7 @@ class Engine final : private Listener {
                                   std::int64_t fingerprint, std::size_t size);
     [[nodiscard]] bool take(Input& input, Sample& sample, const Input::Date& date);
     void follow_clock(std::int64_t utime, std::int64_t received);
+    [[nodiscard]] double distance_to(const Marker* marker) const noexcept;
     void publish_moved();
     void publish_due(std::int64_t end);
     void publish_status(std::int64_t drops);
@@ -96,6 +97,7 @@ class Engine final : private Listener {
     std::vector<Input> inputs_;  // sensors first, by their number; then motion, gyro, reset
     std::size_t motion_, gyro_, reset_;
     Decoded decoded_;
+    Pose<double> newest_pose_ = {0, 0, 0};
 
     // Receive clock [us].
     std::int64_t now_ = 0, moved_ = 0, since_ = 0, status_made_ = 0, checkpoint_made_ = 0;

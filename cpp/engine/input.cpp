@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "pilotage/sensing/line_of_sight.hpp"
 #include "words.hpp"
 
 namespace pilotage {
@@ -75,12 +76,14 @@ void Input::judged(Verdict before, Verdict now) noexcept {
     ++verdicts_[static_cast<int>(now)];
 }
 
-void Input::reported(const SightingReport& report) noexcept {
+void Input::reported(const SightingReport& report, double distance_m) noexcept {
     if (report.verdict != Verdict::fused && report.verdict != Verdict::gate) return;
     const double contradicts = report.agrees ? 0 : 1;
     contradiction_ += 0.02 * (contradicts - contradiction_);
     double& of_marker = contradiction_by_marker_[report.id];
     of_marker += 0.2 * (contradicts - of_marker);
+    if (report.agrees && report.sigma[kElevation] > 0)
+        elevations_.add(report.innovation[kElevation], report.sigma[kElevation], distance_m);
 }
 
 std::int64_t Input::samples() const noexcept {
@@ -123,6 +126,7 @@ std::string Input::find_problem(std::int64_t now, bool needed,
     if (std::string ahead = seen_ && motion_now ? ahead_of(*motion_now, now) : ""; !ahead.empty())
         return ahead;
     if (std::string rate = rate_problem(); !rate.empty()) return rate;
+    if (std::string wrong = elevations_.problem(); !wrong.empty()) return wrong;
     return contradictions();
 }
 
@@ -218,7 +222,7 @@ input_status_t Input::status(std::int64_t now) const {
     s.clock_offset_us = clock_.offset_us();
     s.clock_skew_ppm = clock_.skew_ppm();
     s.clock_steps = clock_.steps();
-    s.noise_scale = 1;
+    s.noise_scale = 1;  // the engine knows more
     const auto add = [&](const char* reason, std::int64_t count) {
         if (count == 0) return;
         reason_count_t entry;

@@ -10,6 +10,7 @@
 
 #include "codecs.hpp"
 #include "config.hpp"
+#include "elevation_watch.hpp"
 #include "pilotage/input_status_t.hpp"
 #include "pilotage/verdict.hpp"
 #include "sender_clock.hpp"
@@ -44,7 +45,8 @@ class Input {
     void received(std::int64_t received, std::int32_t seq, std::size_t samples) noexcept;
     void fault(MessageFault fault) noexcept;
     void judged(Verdict before, Verdict now) noexcept;
-    void reported(const SightingReport& report) noexcept;
+    /// \param distance_m to its marker, about
+    void reported(const SightingReport& report, double distance_m) noexcept;
 
     [[nodiscard]] std::int64_t count(Verdict v) const noexcept {
         return verdicts_[static_cast<int>(v)];
@@ -95,6 +97,7 @@ class Input {
     // Share of the latest sightings that contradict the estimate: of all, and by marker.
     double contradiction_ = 0;
     std::map<std::int32_t, double> contradiction_by_marker_;
+    ElevationWatch elevations_;
     std::int32_t last_seq_ = 0;
     bool seen_ = false, followed_ = false;
 

@@ -1,6 +1,7 @@
 #include "pilotage/association.hpp"
 
 #include "pilotage/association/reach.hpp"
+#include "pilotage/noise_scale.hpp"
 
 namespace pilotage {
 
@@ -29,13 +30,14 @@ bool Associator<Scalar>::seen_by_id(std::int32_t id) const noexcept {
 template <typename Scalar>
 void Associator<Scalar>::resolve(const Pose<Scalar>& robot, const Matrix<Scalar, 3>& covariance,
                                  const MarkerMap& map, const MarkerSensorParams& sensor,
-                                 const Policy& policy, Scalar tilt_variance) noexcept {
+                                 const Policy& policy, Scalar tilt_variance,
+                                 double stated_scale) noexcept {
     const SensorPlace<Scalar> place(robot, covariance, sensor);
     const Deviation<Scalar> before(Vector<Scalar, 3>::Zero(), covariance);
     Contender<Scalar>* contenders[kMaxSightings];
     int size = 0;
     for (int i = 0; i < size_; ++i) {
-        const Sighting& sighting = *sightings_[i];
+        const Sighting sighting = scaled(*sightings_[i], stated_scale);
         if (sighting.id != kUnknownId) continue;
         Contender<Scalar>& c = contenders_[size];
         c.size = 0;

@@ -30,10 +30,15 @@ template <typename Scalar, int N>
 void Fixer<Scalar, N>::recognise(const Track& track, int sensor,
                                  Associator<Scalar>& frame) const noexcept {
     if (!track.located || !frame.any_unknown()) return;
-    frame.resolve(track.filter.state().template head<kPoseStates>(),
-                  track.filter.covariance().template topLeftCorner<kPoseStates, kPoseStates>(),
-                  map_, params_.sensors[sensor], policies_[sensor],
-                  Scalar(params_.tilt.variance_rad2()));
+    const auto resolve = [&](const MarkerSensorParams& params, double stated_scale) {
+        frame.resolve(track.filter.state().template head<kPoseStates>(),
+                      track.filter.covariance().template topLeftCorner<kPoseStates, kPoseStates>(),
+                      map_, params, policies_[sensor], Scalar(params_.tilt.variance_rad2()),
+                      stated_scale);
+    };
+    if (!params_.noise.adapts()) return resolve(params_.sensors[sensor], 1);
+    const double scale = track.noise.sensor(sensor);
+    resolve(scaled(params_.sensors[sensor], scale), scale);
 }
 
 template <typename Scalar, int N>
@@ -55,14 +60,46 @@ SightingReport Fixer<Scalar, N>::sight(Track& track, const Sample& sample,
     known.payload.sighting.id = of.id;
     const Policy& policy = policies_[sample.source];
     const Pose<double> odometry = track.odometry();
-    const SightingReport report =
-        fuse_sighting(track.filter, known, map_, params_.sensors[sample.source], policy);
+    const SightingReport report = fuse(track, known);
     if (report.verdict == Verdict::fused || report.verdict == Verdict::gate) {
         track.keep_odometry(odometry);
         track.agreement.add(report.nis, report.dof, policy.gate_nis[report.dof - 1]);
         if (track.agreement.last_agreed()) track.agreed_utime = sample.utime;
     }
     return report;
+}
+
+template <typename Scalar, int N>
+SightingReport Fixer<Scalar, N>::fuse(Track& track, const Sample& sample) const noexcept {
+    const MarkerSensorParams& sensor = params_.sensors[sample.source];
+    const Policy& policy = policies_[sample.source];
+    if (!params_.noise.adapts()) return fuse_sighting(track.filter, sample, map_, sensor, policy);
+    const double scale = track.noise.sensor(sample.source);
+    Sample noisy = sample;
+    noisy.payload.sighting = scaled(sample.payload.sighting, scale);
+    const MarkerSensorParams noisy_sensor = scaled(sensor, scale);
+    const SightingReport report = fuse_sighting(track.filter, noisy, map_, noisy_sensor, policy);
+    learn(track, noisy.payload.sighting, noisy_sensor, report);
+    return report;
+}
+
+/// What an innovation tells of the noise. That of a pose which is not confirmed tells of the pose.
+/// \param sighting, sensor as they were fused
+template <typename Scalar, int N>
+void Fixer<Scalar, N>::learn(Track& track, const Sighting& sighting,
+                             const MarkerSensorParams& sensor,
+                             const SightingReport& report) const noexcept {
+    if (!track.confirmed || std::isnan(report.nis)) return;
+    each<3>([&](int c) {
+        if (std::isnan(sighting.value[c])) return;
+        const double variance = report.sigma[c] * report.sigma[c];
+        const double squared = report.innovation[c] * report.innovation[c] / variance;
+        const double sensor_share = sensor_variance(sighting, ComponentIndex(c), sensor,
+                                                    sighting.value[c] - report.innovation[c]) /
+                                    variance;
+        const bool by_tilt = c == kElevation && params_.tilt.any();
+        track.noise.learn(report.sensor, squared, sensor_share, by_tilt ? 0 : 1 - sensor_share);
+    });
 }
 
 template <typename Scalar, int N>

@@ -234,9 +234,20 @@ Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
     return doubt;
 }
 
+/// With the noise that the motion proved to have. Out of line, to keep the usual way short.
+template <typename Scalar, int N>
+[[gnu::noinline, gnu::cold]] void Tracker<Scalar, N>::drive_as_learned(
+    Track& track, const Increment<Scalar>& u) const noexcept {
+    const double scale = track.noise.motion();
+    dead_reckon(track.filter, with_noise_times(Scalar(scale * scale), u, params_.noise), params_);
+}
+
 template <typename Scalar, int N>
 void Tracker<Scalar, N>::drive(Track& track, const Increment<Scalar>& u) const noexcept {
-    dead_reckon(track.filter, u, params_);
+    if (params_.noise.adapts())
+        drive_as_learned(track, u);
+    else
+        dead_reckon(track.filter, u, params_);
     if (!(track.filter.covariance().trace() <= Scalar(kUnsurestHeading)))
         track.filter = bounded(track.filter);
 }

@@ -48,9 +48,10 @@ class Associator {
     /// no choice for others.
     /// \param robot pose at the frame's time, with its covariance
     /// \param tilt_variance by which the body's tilt adds to that of elevations [rad^2]
+    /// \param stated_scale on the sigmas that sightings state; those of `sensor` hold as they are
     void resolve(const Pose<Scalar>& robot, const Matrix<Scalar, 3>& covariance,
                  const MarkerMap& map, const MarkerSensorParams& sensor, const Policy& policy,
-                 Scalar tilt_variance = 0) noexcept;
+                 Scalar tilt_variance = 0, double stated_scale = 1) noexcept;
 
     /// Of the i-th sighting added.
     [[nodiscard]] const Association& operator[](std::size_t i) const noexcept { return found_[i]; }

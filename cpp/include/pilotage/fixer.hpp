@@ -45,6 +45,9 @@ class Fixer {
     void reset(Track& track, const PoseReset& to) const noexcept;
 
    private:
+    [[nodiscard]] SightingReport fuse(Track& track, const Sample& sample) const noexcept;
+    void learn(Track& track, const Sighting& sighting, const MarkerSensorParams& sensor,
+               const SightingReport& report) const noexcept;
     void place(Track& track, const Pose<double>& pose,
                const Matrix<double, 3>& covariance) const noexcept;
 

@@ -82,6 +82,9 @@ class Localizer {
     /// State and covariance at the newest motion sample (StateIndex order).
     [[nodiscard]] const Ekf<Scalar, N>& filter() const noexcept { return newest().filter; }
 
+    /// Estimated over configured noise, at the newest motion sample.
+    [[nodiscard]] const NoiseScale& noise() const noexcept { return newest().noise; }
+
     [[nodiscard]] Checkpoint checkpoint() const noexcept { return tracker_.checkpoint(newest()); }
     /// \pre no sample has been added
     /// \return false, and nothing has changed, if the checkpoint is no state of a filter

@@ -36,6 +36,9 @@ struct MotionParams {
     double max_gap_s = 0.5;     ///< a rate sample holds for no longer than this
 };
 
+/// Whether noise is as configured, or the start of what innovations teach (noise_scale.hpp).
+enum class NoiseAdaptation : unsigned char { off, on };
+
 /// Noise grows with distance, turn and time, never with the number of samples.
 struct NoiseParams {
     double wheel_m_per_sqrt_m =
@@ -46,6 +49,9 @@ struct NoiseParams {
     double heading_rad_per_sqrt_m = 0;     ///< heading, per distance
     double heading_rad_per_sqrt_rad = 0;   ///< heading, per turn
     double heading_rad_per_sqrt_s = 0;     ///< heading, per time
+    NoiseAdaptation adaptation = NoiseAdaptation::off;
+
+    [[nodiscard]] bool adapts() const noexcept { return adaptation == NoiseAdaptation::on; }
 };
 
 /// A calibration state: frozen at its initial value where sigma is 0.
@@ -84,7 +90,7 @@ struct MarkerSensorParams {
     double student_t_dof = 4;
 };
 
-/// Start of the filter; a position of NaN means: wait for a pose_reset_t.
+/// Start of the filter; NaN: the pose is found from sightings, or set by a pose_reset_t.
 struct InitialParams {
     double x_m = std::numeric_limits<double>::quiet_NaN();
     double y_m = std::numeric_limits<double>::quiet_NaN();

@@ -13,6 +13,7 @@
 #include "pilotage/judge.hpp"
 #include "pilotage/motion/motion_check.hpp"
 #include "pilotage/motion/odometer.hpp"
+#include "pilotage/noise_scale.hpp"
 #include "pilotage/params.hpp"
 #include "pilotage/samples.hpp"
 #include "pilotage/search/frame.hpp"
@@ -43,6 +44,7 @@ struct Track {
     std::int64_t evidence_since = 0;    ///< nothing older speaks of this pose
     Increment<Scalar> motion;           ///< of the last motion sample that took time
     Vector<Scalar, 2> driven = {0, 0};  ///< (distance [m], turn [rad]) of the last motion sample
+    NoiseScale noise;                   ///< stays as it was begun unless params.noise.adapts()
     std::int32_t resets = 0;            ///< of the pose, by a message or a search
     std::int32_t found = 0;             ///< of them, by a search
     bool started = false;               ///< a motion sample has come
@@ -113,6 +115,7 @@ class Tracker {
                                               Verdict& verdict) const noexcept;
     [[nodiscard]] Increment<Scalar> by_velocity(const BodyVelocity& velocity, double dt_s,
                                                 RotationStep& rotation) const noexcept;
+    void drive_as_learned(Track& track, const Increment<Scalar>& u) const noexcept;
     [[nodiscard]] Pose<double> judged_window(Track& track) const noexcept;
     [[nodiscard]] Pose<double> farthest(const Track& track, double time_s,
                                         bool turn_known) const noexcept;

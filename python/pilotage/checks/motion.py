@@ -41,7 +41,7 @@ def frozen_gyro_bias(config: Config) -> Iterator[Finding]:
 
 def motion_without_noise(config: Config) -> Iterator[Finding]:
     """Find a motion without noise, which no marker corrects."""
-    keys = [key for key, _, _ in config.describe() if key.startswith("noise.")]
+    keys = [key for key, _, _ in config.describe() if key.startswith("noise.") and "_per_" in key]
     if all(config[key] == 0.0 for key in keys):
         yield Finding(
             "noise",

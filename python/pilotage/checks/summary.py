@@ -101,7 +101,8 @@ def _gaps(markers: MarkerMap) -> str:
 
 def _start(config: Config) -> str:
     if math.isnan(config["initial.x_m"]):
-        return f"awaited as pose_reset_t on {config['pose_reset.channel']}"
+        reset = config["pose_reset.channel"]
+        return f"anywhere: found from sightings, or set by a pose_reset_t on {reset}"
     return (
         f"x {config['initial.x_m']:g} m, y {config['initial.y_m']:g} m, "
         f"σ {config['initial.sigma_position_m']:g} m; "

@@ -86,7 +86,7 @@ TEST(ConfigSchemaTest, EveryChoiceReadsBackAndNamesTheOthers) {
         for (const std::string& name : choice->names)
             EXPECT_NE(said.find(name), std::string::npos) << said;
     }
-    EXPECT_EQ(choices, 2 + 5 + 1 + 1) << "motion, the inputs' clocks, resets, fusion";
+    EXPECT_EQ(choices, 2 + 5 + 1 + 1 + 1) << "motion, clocks, resets, adaptation, fusion";
 }
 
 TEST(ConfigSchemaTest, NoNumberTakesWhatIsNone) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "support/engines.hpp"
+#include "support/journeys.hpp"
 
 namespace pilotage::test {
 namespace {
@@ -104,6 +105,19 @@ TEST(EngineTest, TellsItsStateAtEveryTick) {
     ASSERT_EQ(bench.statuses.size(), 5U) << "a recorded tick is a tick";
     EXPECT_EQ(bench.statuses[4].utime, 30);
     EXPECT_EQ(bench.statuses[4].drops, 4);
+}
+
+TEST(EngineTest, TellsHowNoisyItsInputsAre) {
+    for (const bool adapts : {false, true}) {
+        Bench bench(adapts ? "noise: {adaptation: on}\n" : "");
+        const MarkerMap map({{1, 6, 2, 0.4, 0}, {2, 4, -4, 0, 0}});
+        Journey journey(map);
+        journey.noise = 2;
+        bench.run(journey.go(60, 0.2, 0.1));
+        EXPECT_NEAR(bench.input("MARKERS", journey.utime).noise_scale, adapts ? 2 : 1, 0.3);
+        EXPECT_EQ(bench.input("ENCODERS", journey.utime).noise_scale == 1, !adapts);
+        EXPECT_EQ(bench.input("GYRO", journey.utime).noise_scale, 1) << "of the motion it is one";
+    }
 }
 
 TEST(EngineTest, TakesTwoSensorsOnOneChannelByTheirNames) {

@@ -180,7 +180,7 @@ std::string after_sightings(double bad_share, int bad_marker = 0) {
         const bool bad = bad_marker > 0 ? report.id == bad_marker : owed >= 1;
         if (owed >= 1) owed -= 1;
         report.agrees = !bad;
-        sender.input.reported(report);
+        sender.input.reported(report, 5);
     }
     return sender.go(1);
 }
@@ -203,7 +203,7 @@ TEST(InputProblemTest, RejectedSightingsAreNoContradiction) {
     sender.go();
     SightingReport report{};
     report.verdict = Verdict::unknown_marker;
-    for (int i = 0; i < 100; ++i) sender.input.reported(report);
+    for (int i = 0; i < 100; ++i) sender.input.reported(report, 5);
     EXPECT_EQ(sender.go(1), "");
 }
 

@@ -91,6 +91,10 @@ Estimate Robot::estimate(std::int64_t utime) const {
     return std::visit([&](const auto& localizer) { return localizer.estimate(utime); }, localizer_);
 }
 
+NoiseScale Robot::noise() const {
+    return std::visit([](const auto& localizer) { return localizer.noise(); }, localizer_);
+}
+
 Eigen::VectorXd Robot::state() const {
     return std::visit(
         [](const auto& localizer) -> Eigen::VectorXd {

@@ -67,6 +67,7 @@ class Robot {
     [[nodiscard]] bool started() const;
     [[nodiscard]] Estimate estimate() const;
     [[nodiscard]] Estimate estimate(std::int64_t utime) const;
+    [[nodiscard]] NoiseScale noise() const;
     [[nodiscard]] Pose<double> pose() const { return estimate().pose; }
     [[nodiscard]] Eigen::VectorXd state() const;
     [[nodiscard]] Eigen::MatrixXd covariance() const;

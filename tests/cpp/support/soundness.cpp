@@ -12,8 +12,8 @@ bool wrapped(double heading) {
     return heading > -pi && heading <= pi;
 }
 
-/// What was measured was held against the map: all of it is there, and nothing else. A sender may
-/// state a sigma whose square is infinite.
+/// What was measured was held against the map: all of it is there, and nothing else; an elevation
+/// may have been left out of the NIS. A sender may state a sigma whose square is infinite.
 bool fully_judged(const marker_report_t& report) {
     int measured = 0;
     for (int i = 0; i < 3; ++i) {

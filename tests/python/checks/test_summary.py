@@ -47,6 +47,8 @@ def test_velocity_needs_no_gyro():
     assert not any(line.startswith("gyro") for line in summary["inputs"])
 
 
-def test_without_a_start_a_pose_reset_is_awaited():
+def test_without_a_start_the_pose_is_found_or_set():
     summary = summarize(sound(without="initial.", pose_reset__channel="START"))
-    assert summary["start"] == ["awaited as pose_reset_t on START"]
+    assert summary["start"] == [
+        "anywhere: found from sightings, or set by a pose_reset_t on START"
+    ]

@@ -114,6 +114,16 @@ template <typename Scalar>
     return Pose<Scalar>(position, position, heading) + u.doubt;
 }
 
+/// The same motion, the variances of its noise times a factor; its doubt stays as it is.
+template <typename Scalar>
+[[nodiscard]] Increment<Scalar> with_noise_times(Scalar factor, Increment<Scalar> u,
+                                                 const NoiseParams& noise) noexcept {
+    const Pose<Scalar> process_noise = pose_process_noise(u, noise) - u.doubt;
+    u.covariance *= factor;
+    u.doubt += (factor - 1) * process_noise;
+    return u;
+}
+
 /// Random walk of (gyro bias, distance scale, rotation scale).
 template <typename Scalar>
 [[nodiscard]] Vector<Scalar, 3> calibration_process_noise(const Increment<Scalar>& u,
