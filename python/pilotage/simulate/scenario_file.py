@@ -145,5 +145,7 @@ def _dotted(content: dict[str, Any], prefix: str = "") -> Iterator[tuple[str, An
     for key, value in content.items():
         if isinstance(value, dict):
             yield from _dotted(value, f"{prefix}{key}.")
+        elif isinstance(value, bool):  # what YAML makes of these words
+            yield prefix + key, "on" if value else "off"
         else:
             yield prefix + key, value

@@ -49,6 +49,4 @@ def test_velocity_needs_no_gyro():
 
 def test_without_a_start_the_pose_is_found_or_set():
     summary = summarize(sound(without="initial.", pose_reset__channel="START"))
-    assert summary["start"] == [
-        "anywhere: found from sightings, or set by a pose_reset_t on START"
-    ]
+    assert summary["start"] == ["anywhere: found from sightings, or set by a pose_reset_t on START"]

@@ -57,6 +57,13 @@ def test_a_sensor_is_described_as_in_the_configuration(tmp_path: Path):
     assert camera.rate_hz == 4.0
 
 
+def test_on_and_off_are_words_of_the_configuration(tmp_path: Path):
+    for word in ("on", "off"):
+        file = _write(tmp_path)
+        file.write_text(file.read_text() + f"config: {{noise: {{adaptation: {word}}}}}\n")
+        assert find_scenario(str(file)).config == {"noise.adaptation": word}
+
+
 def test_keys_of_the_configuration_stand_in_sections_or_with_dots(tmp_path: Path):
     config = {"sensors.eye.fusion": "gate", "status": {"alert_limit_m": 0.5}}
     scenario = find_scenario(str(_write(tmp_path, config=config)))
