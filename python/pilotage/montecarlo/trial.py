@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import MarkerMap, replay
-from ..lcmtypes import status_t
 from ..evaluate import beyond, mahalanobis_squared, pose_errors
+from ..lcmtypes import status_t
 from ..simulate import Measured, Scenario, Simulation, measure, simulate, suitable_config
 from ..simulate.drives import STEP_US
 from ..simulate.worlds import Surveyed
