@@ -1,5 +1,6 @@
 #include "pilotage/localizer.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pilotage/assess.hpp"
@@ -256,10 +257,14 @@ void Localizer<Scalar, N>::correct(Track& track, Node& node, const Association& 
 template <typename Scalar, int N>
 void Localizer<Scalar, N>::search(Track& track, std::size_t newest) noexcept {
     Evidence evidence[PoseSearch::kMostEvidence];
-    const int most = fixer_.evidence_wanted(track);
     int count = 0;
     const auto take = [&](std::int64_t utime, const Evidence& e) {
-        if (count < most && utime >= track.evidence_since) evidence[count++] = e;
+        if (count == PoseSearch::kMostEvidence || utime < track.evidence_since) return;
+        const auto same = [&](const Evidence& other) { return other.sighting.id == e.sighting.id; };
+        if (e.sighting.id >= 0 &&
+            std::count_if(evidence, evidence + count, same) >= fixer_.evidence_wanted(track))
+            return;
+        evidence[count++] = e;
     };
     for (std::size_t i = newest + 1; i-- > 0;)
         if (history_[i].seen) take(history_[i].sample.utime, history_[i].evidence);

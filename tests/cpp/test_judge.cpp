@@ -331,16 +331,16 @@ TEST(JudgeTest, WhatIsTheEstimateItselfIsNoRival) {
     }
 }
 
-/// However sure both are, thirty centimetres are no other pose: the filter goes there by itself.
+/// However sure both are, twenty centimetres are no other pose: the filter goes there by itself.
 TEST(JudgeTest, WhatIsNextToASureEstimateIsNoRival) {
     Hearing hearing;
     hearing.claims(true);
     hearing.claim.covariance *= 1e-6;
-    Hypothesis next = hearing.idea({0.29, 0, -0.09}, 100);
+    Hypothesis next = hearing.idea({0.19, 0, -0.09}, 100);
     next.covariance *= 1e-6;
     hearing.ask({next});
     EXPECT_EQ(hearing.judgement.finding, Finding::fine);
-    next.pose[kX] = 0.31;
+    next.pose[kX] = 0.21;
     hearing.ask({next});
     EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere);
 }

@@ -43,5 +43,5 @@ def test_the_example_fits_a_cortex_m7(tmp_path: Path):
         ["arm-none-eabi-size", str(program)], check=True, capture_output=True, text=True
     )
     text, data, bss = (int(word) for word in size.stdout.splitlines()[1].split()[:3])
-    assert text < 64 * 1024, "flash; the documented size has grown"
+    assert text < 160 * 1024, "flash; the documented size has grown"
     assert data + bss < 1024, "static memory; the history is on the heap, made once"

@@ -30,10 +30,9 @@ class Fixer {
 
     /// Whether to look for other poses that explain the sightings.
     [[nodiscard]] bool doubtful(const Track& track) const noexcept;
-    /// How many of the latest sightings to do it with.
+    /// How many of the latest sightings of each marker to do it with.
     [[nodiscard]] static int evidence_wanted(const Track& track) noexcept {
-        constexpr int few =
-            16;  // where the robot may have been carried off, or its motion is wrong
+        constexpr int few = 6;  // where the robot may have been carried off, or its motion is wrong
         return track.confirmed ? few : PoseSearch::kMostEvidence;
     }
     /// Looks for them, and takes the one that the judge prefers to the estimate.

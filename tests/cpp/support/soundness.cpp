@@ -99,7 +99,8 @@ std::string flaw_in(const odometry_t& o) {
 std::string flaw_in(const pose_jump_t& jump) {
     for (int i = 0; i < 3; ++i)
         if (!std::isfinite(jump.before[i]) || !std::isfinite(jump.after[i])) return "not finite";
-    const bool known = jump.cause == "correction" || jump.cause == "reset" || jump.cause == "clock";
+    const bool known = jump.cause == "correction" || jump.cause == "reset" ||
+                       jump.cause == "found" || jump.cause == "clock";
     return known ? "" : "unknown cause '" + jump.cause + "'";
 }
 
