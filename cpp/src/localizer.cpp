@@ -185,6 +185,7 @@ void Localizer<Scalar, N>::advance(Track& track, std::size_t from, std::size_t t
         tracker_.drive(track, rest.part(fraction));
         rest = rest.part(1 - fraction);
     };
+    bool seen = false;  // something in this frame
     for (std::size_t i = from, frame = from, frame_end = from; i < to; ++i) {
         Node& node = history_[i];
         if (node.sample.stream == Stream::gyro) continue;
@@ -194,12 +195,14 @@ void Localizer<Scalar, N>::advance(Track& track, std::size_t from, std::size_t t
             continue;
         }
         if (i >= frame_end) {
+            seen = false;
             frame = i;
             frame_end = recognise(track, i, to);
         }
         correct(track, node, frame_[i - frame]);
+        seen = seen || node.seen;
         const bool frame_ends = i + 1 == frame_end;
-        if (frame_ends && node.seen && fixer_.doubtful(track)) search(track, i);
+        if (frame_ends && seen && fixer_.doubtful(track)) search(track, i);
     }
     track.utime = motion.sample.utime;
     if (rest.dt_s > 0 || rest.distance_m != 0 || rest.turn_rad != 0) tracker_.drive(track, rest);

@@ -105,7 +105,12 @@ TEST(JudgeTest, DoubtsAConfirmedEstimateBeforeItGivesItUp) {
         EXPECT_EQ(hearing.judgement.finding, Finding::ambiguous);
         EXPECT_EQ(hearing.judgement.margin, nats) << "is what it says";
     }
-    EXPECT_EQ(hearing.ask_to_the_end(kThere, kDecisive + 0.1), Finding::elsewhere);
+    for (int frame = 0; frame < 20; ++frame) {
+        EXPECT_EQ(hearing.ask({hearing.idea(kThere, judging::kMoved - 0.1)}), -1);
+        EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere) << "but not believed yet";
+        hearing.move();
+    }
+    EXPECT_EQ(hearing.ask_to_the_end(kThere, judging::kMoved + 0.1), Finding::elsewhere);
 }
 
 /// What spoke for it before does not count: the robot may just have been carried off.

@@ -17,8 +17,10 @@ namespace judging {
 
 /// An explanation is better than another only by so many nats: one in a thousand is wrong then.
 inline constexpr double kDecisive = 7;
-/// So much better is another than a confirmed estimate where doubt begins.
-inline constexpr double kSuspicious = 3;
+/// So much better is another than a confirmed estimate where doubt begins, and than any estimate
+/// where it is believed: robots are rarely carried off, and outliers that agree with each other by
+/// chance are not so rare.
+inline constexpr double kSuspicious = 3, kMoved = 25;
 /// A pose found has to hold for so many frames, and on a way so long; a robot that stands is misled
 /// by the same thing again and again, so there it takes more frames.
 inline constexpr int kFrames = 3, kFramesStanding = 10;
@@ -160,6 +162,7 @@ struct Claim {
     }
     j.finding = Finding::elsewhere;
     if (vague(best->covariance) || best->clutter > kClutterOfLatest ||
+        (claim.made && margin < kMoved) ||
         (claim.confirmed && best->distinct_markers() < claim.markers))
         return nullptr;
     // Where dead reckoning has brought what led first.
