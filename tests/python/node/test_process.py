@@ -59,7 +59,8 @@ def test_without_a_route_for_multicast_it_says_how_to_make_one(tmp_path: Path):
 def test_it_says_what_it_waits_for_until_it_has_all(tmp_path: Path):
     without_start = "\n".join(line for line in CONFIG.splitlines() if "initial" not in line)
     with node(tmp_path, without_start) as running:
-        running.wait(lambda: "waiting for markers enough to find the pose" in running.said, "its first words")
+        waiting = "waiting for markers enough to find the pose"
+        running.wait(lambda: waiting in running.said, "its first words")
         assert "encoders_t on ENCODERS" in running.said
         assert "marker_frame_t on MARKERS" in running.said
         running.wait(lambda: running.messages["STATUS"], "a status")
