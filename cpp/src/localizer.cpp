@@ -136,9 +136,8 @@ void Localizer<Scalar, N>::set_time(std::int64_t utime) noexcept {
     memory_ = {};
     base_ = now;
     const std::int64_t by = utime - base_.utime;
-    for (std::int64_t* time :
-         {&base_.utime, &base_.agreed_utime, &base_.tilt_utime, &base_.searched_utime,
-          &base_.evidence_since, &base_.judgement.utime})
+    for (std::int64_t* time : {&base_.utime, &base_.agreed_utime, &base_.tilt_utime,
+                               &base_.searched_utime, &base_.evidence_since})
         *time += by;
     base_.gyro.restart(utime);
 }
@@ -318,8 +317,8 @@ template <typename Scalar, int N>
 Estimate Localizer<Scalar, N>::describe(const Track& track, double silent_s) const noexcept {
     Estimate e;
     e.utime = track.utime;
-    e.pose = track.filter.state().template head<3>().template cast<double>();
-    e.covariance = track.filter.covariance().template topLeftCorner<3, 3>().template cast<double>();
+    e.pose = track.pose();
+    e.covariance = track.covariance();
     e.driven = track.driven.template cast<double>();
     if (track.motion.dt_s > 0 && silent_s <= tracker_.params().motion.max_gap_s) {
         const auto driven =

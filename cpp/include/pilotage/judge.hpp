@@ -104,7 +104,6 @@ struct Judgement {
     Finding finding = Finding::fine;
     double margin = 0;                  ///< nats between the best explanation and the next
     int held = 0;                       ///< frames that the best pose has held for
-    std::int64_t utime = 0;             ///< of the last of them
     Pose<double> leader = {0, 0, 0};    ///< that pose in the first of them
     Pose<double> odometry = {0, 0, 0};  ///< of the robot then
     Ideas ideas;
