@@ -25,19 +25,19 @@ Localizer<Scalar, N>::Localizer(const Params& params, MarkerMap map, Listener& l
       fixer_(params, map),
       search_(params, std::move(map)),
       listener_(&listener),
-      history_(static_cast<std::size_t>(params.history.capacity)),
-      base_(tracker_.anywhere()) {
+      history_(static_cast<std::size_t>(params.history.capacity)) {
+    past() = tracker_.anywhere();
     const InitialParams& start = params.initial;
     if (std::isnan(start.x_m) || std::isnan(start.y_m) || std::isnan(start.heading_rad)) return;
     const Pose<double> sigma(start.sigma_position_m, start.sigma_position_m,
                              start.sigma_heading_rad);
-    base_ =
+    past() =
         tracker_.start({start.x_m, start.y_m, start.heading_rad}, sigma.cwiseAbs2().asDiagonal());
 }
 
 template <typename Scalar, int N>
 bool Localizer<Scalar, N>::restore(const Checkpoint& from) noexcept {
-    return tracker_.restore(from, base_);
+    return tracker_.restore(from, past());
 }
 
 template <typename Scalar, int N>
@@ -45,7 +45,7 @@ bool Localizer<Scalar, N>::add(const Sample& sample) noexcept {
     const Verdict first = examine(sample, tracker_.params());
     if (first != Verdict::pending) return refuse(sample, first, NAN, NAN);
     if (!has_pose() && !newest().started && sample.stream == Stream::reset) {
-        fixer_.reset(base_, sample.payload.reset);
+        fixer_.reset(past(), sample.payload.reset);
         listener_->on_verdict(sample, Verdict::pending, Verdict::fused);
         return false;
     }
@@ -71,9 +71,9 @@ bool Localizer<Scalar, N>::refuse(const Sample& sample, Verdict verdict, double 
 template <typename Scalar, int N>
 bool Localizer<Scalar, N>::insert(const Sample& sample) noexcept {
     if (history_.full()) forget_step();
-    if (base_.started && sample.utime <= base_.utime)
+    if (past().started && sample.utime <= past().utime)
         return refuse(sample, Verdict::late, seconds_between<double>(sample.utime, newest().utime),
-                      seconds_between<double>(base_.utime, newest().utime));
+                      seconds_between<double>(past().utime, newest().utime));
     bool duplicate = false;
     const std::size_t place = history_.place(sample, duplicate);
     if (duplicate) return refuse(sample, Verdict::duplicate, NAN, NAN);
@@ -104,7 +104,7 @@ void Localizer<Scalar, N>::forget_before(std::int64_t horizon) noexcept {
     }
 }
 
-/// Drops the oldest samples up to a motion sample, where `base_` then stands; where there is none,
+/// Drops the oldest samples up to a motion sample, where the past then ends; where there is none,
 /// what waits longest.
 template <typename Scalar, int N>
 void Localizer<Scalar, N>::forget_step() noexcept {
@@ -112,15 +112,14 @@ void Localizer<Scalar, N>::forget_step() noexcept {
     for (std::size_t left = end == history_.size() ? 1 : end + 1; left > 0; --left) forget_front();
 }
 
-/// Drops the oldest sample; what it brought stays in `base_`.
+/// Drops the oldest sample; what it brought stays in the past.
 template <typename Scalar, int N>
 void Localizer<Scalar, N>::forget_front() noexcept {
     Node& front = history_[0];
-    if (is_motion(front.sample))
-        base_ = front.track;
-    else if (front.sample.stream == Stream::gyro)
-        base_.gyro.add(front.sample.utime, front.sample.payload.gyro.rate_rad_s,
-                       tracker_.params().motion.max_gap_s);
+    if (is_motion(front.sample)) return history_.pass_front();
+    if (front.sample.stream == Stream::gyro)
+        past().gyro.add(front.sample.utime, front.sample.payload.gyro.rate_rad_s,
+                        tracker_.params().motion.max_gap_s);
     else if (front.verdict == Verdict::pending)
         dismiss(front, Verdict::no_motion);
     else if (front.seen)
@@ -134,12 +133,12 @@ void Localizer<Scalar, N>::set_time(std::int64_t utime) noexcept {
     finish();
     while (history_.size() > 0) history_.pop_front();
     memory_ = {};
-    base_ = now;
-    const std::int64_t by = utime - base_.utime;
-    for (std::int64_t* time : {&base_.utime, &base_.agreed_utime, &base_.tilt_utime,
-                               &base_.searched_utime, &base_.evidence_since})
+    Track& track = past() = now;
+    const std::int64_t by = utime - track.utime;
+    for (std::int64_t* time : {&track.utime, &track.agreed_utime, &track.tilt_utime,
+                               &track.searched_utime, &track.evidence_since})
         *time += by;
-    base_.gyro.restart(utime);
+    track.gyro.restart(utime);
 }
 
 template <typename Scalar, int N>
@@ -148,16 +147,17 @@ void Localizer<Scalar, N>::finish() noexcept {
         if (history_[i].verdict == Verdict::pending) dismiss(history_[i], Verdict::no_motion);
 }
 
-/// Computes the track anew from the last motion sample before `place`.
+/// Computes the tracks anew from the last motion sample before `place`.
 template <typename Scalar, int N>
 void Localizer<Scalar, N>::recompute(std::size_t place) noexcept {
     const std::size_t before = motion_before(place);
+    const Track* last = &track_at(before);
     std::size_t done = before == history_.size() ? 0 : before + 1;
-    Track track = before == history_.size() ? base_ : history_[before].track;
     for (std::size_t i = done; i < history_.size(); ++i) {
         if (!is_motion(history_[i].sample)) continue;
+        Track& track = history_[i].track = *last;
         advance(track, done, i);
-        history_[i].track = track;
+        last = &track;
         done = i + 1;
     }
 }
@@ -307,10 +307,16 @@ std::size_t Localizer<Scalar, N>::first_motion() const noexcept {
     return i;
 }
 
+/// At a motion sample, or where the past ends if the place is size().
+template <typename Scalar, int N>
+const typename Localizer<Scalar, N>::Track& Localizer<Scalar, N>::track_at(
+    std::size_t motion) const noexcept {
+    return (motion == history_.size() ? history_.past() : history_[motion]).track;
+}
+
 template <typename Scalar, int N>
 const typename Localizer<Scalar, N>::Track& Localizer<Scalar, N>::newest() const noexcept {
-    const std::size_t motion = motion_before(history_.size());
-    return motion == history_.size() ? base_ : history_[motion].track;
+    return track_at(motion_before(history_.size()));
 }
 
 template <typename Scalar, int N>

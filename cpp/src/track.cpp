@@ -155,18 +155,19 @@ Increment<Scalar> Tracker<Scalar, N>::measure(Track& track, const Sample& motion
         rotation.gyro_turn_rad = *gyro_turn_rad - gyro_bias(track) * dt_s;
         rotation.gyro_frozen = track.gyro.frozen();
         if (params.heading != HeadingSource::wheels && !track.check.gyro_suspect())
-            u = with_gyro(u, Scalar(*gyro_turn_rad), params.heading, params_.noise);
+            take_turn(u, Scalar(*gyro_turn_rad), params.heading, params_.noise);
     }
     const bool stood = track.check.state() == MotionState::standing;
     const bool ended = track.check.add(rotation, tolerance(track));
     if (stood && track.check.state() == MotionState::standing) u = standstill(u);
     u.turn_rad += Scalar(track.check.released_rad());
     if (ended) doubt += judged_window(track);
-    u.doubt = useful(track.filter, doubt);
+    const Pose<Scalar> even = pose_process_noise(u, params_.noise);
+    const Pose<Scalar> uneven = useful(track.filter, doubt);
+    fill(u.process_noise, [&](int i, int) { return even[i] + uneven[i]; });
     if (dt_s > 0) track.motion = u;
-    const Pose<Scalar> wander = pose_process_noise(u, params_.noise);
-    track.drift.position_m2 += double(u.covariance(0, 0) + wander[kX]);
-    track.drift.heading_rad2 += double(u.covariance(1, 1) + wander[kHeading]);
+    track.drift.position_m2 += double(u.covariance(0, 0) + u.process_noise[kX]);
+    track.drift.heading_rad2 += double(u.covariance(1, 1) + u.process_noise[kHeading]);
     track.driven = calibrated_motion(track.filter.state(), u, params_);
     return u;
 }
@@ -236,8 +237,7 @@ Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
 
 /// With the noise that the motion proved to have. Out of line, to keep the usual way short.
 template <typename Scalar, int N>
-[[gnu::noinline, gnu::cold]] void Tracker<Scalar, N>::drive_as_learned(
-    Track& track, const Increment<Scalar>& u) const noexcept {
+void Tracker<Scalar, N>::drive_as_learned(Track& track, const Increment<Scalar>& u) const noexcept {
     const double scale = track.noise.motion();
     dead_reckon(track.filter, with_noise_times(Scalar(scale * scale), u, params_.noise), params_);
 }
@@ -280,8 +280,7 @@ template <typename Scalar, int N>
 void Tracker<Scalar, N>::doubt(Ekf<Scalar, N>& filter,
                                const Pose<double>& variances) const noexcept {
     Increment<Scalar> u;
-    u.still = true;
-    u.doubt = useful(filter, variances);
+    u.process_noise = useful(filter, variances);
     dead_reckon(filter, u, params_);
 }
 
@@ -323,7 +322,8 @@ Track<Scalar, N> Tracker<Scalar, N>::predicted(Track track, std::int64_t utime) 
     Increment<Scalar> u;
     if (track.motion.dt_s > 0) u = track.motion.part(Scalar(known_s) / track.motion.dt_s);
     u.dt_s = Scalar(ahead_s);
-    u.doubt = useful(track.filter, farthest(track, ahead_s - known_s, false));
+    u.process_noise = pose_process_noise(u, params_.noise) +
+                      useful(track.filter, farthest(track, ahead_s - known_s, false));
     drive(track, u);
     track.utime = utime;
     return track;

@@ -24,8 +24,10 @@ Params calibrated_params() {
 
 template <typename Scalar>
 Increment<Scalar> some_motion(const NoiseParams& noise) {
-    return with_gyro(from_wheels(Scalar(0.2), Scalar(0.3), Scalar(0.5), Scalar(0.5), noise),
-                     Scalar(0.15), HeadingSource::both, noise);
+    auto u = from_wheels(Scalar(0.2), Scalar(0.3), Scalar(0.5), Scalar(0.5), noise);
+    take_turn(u, Scalar(0.15), HeadingSource::both, noise);
+    u.process_noise = pose_process_noise(u, noise);
+    return u;
 }
 
 template <typename Scalar>
@@ -97,7 +99,7 @@ Matrix<double, 3> after_a_metre(HeadingSource source) {
     params.noise.gyro_rad_per_sqrt_s = 0.02;
     params.noise.position_m_per_sqrt_m = 0;
     auto u = from_wheels(Scalar(1), Scalar(1), Scalar(2), Scalar(0.5), params.noise);
-    if (source != HeadingSource::wheels) u = with_gyro(u, Scalar(0), source, params.noise);
+    if (source != HeadingSource::wheels) take_turn(u, Scalar(0), source, params.noise);
     auto filter = start_filter<Scalar, 3>({0, 0, Scalar(0.7)}, Matrix<Scalar, 3>::Zero(), params);
     dead_reckon(filter, u, params);
     return filter.covariance().template cast<double>();
@@ -138,8 +140,10 @@ Params tilted_params() {
 template <typename Scalar>
 Increment<Scalar> random_motion(Draw& draw, const NoiseParams& noise) {
     const Scalar left = draw.uniform<Scalar>(-0.1, 0.3), right = draw.uniform<Scalar>(-0.1, 0.3);
-    return with_gyro(from_wheels(left, right, Scalar(0.5), Scalar(0.5), noise),
-                     draw.uniform<Scalar>(-0.3, 0.3), HeadingSource::both, noise);
+    auto u = from_wheels(left, right, Scalar(0.5), Scalar(0.5), noise);
+    take_turn(u, draw.uniform<Scalar>(-0.3, 0.3), HeadingSource::both, noise);
+    u.process_noise = pose_process_noise(u, noise);
+    return u;
 }
 
 TYPED_TEST(DeadReckoningTest, OfATiltedBodyIsThatOfALevelOne) {
@@ -180,7 +184,7 @@ TYPED_TEST(DeadReckoningTest, MovesWhatTiesATiltToThePoseAsATextbookDoes) {
         a.topLeftCorner(6, 6) = wide(step.a.dense());
         Eigen::VectorXd next = textbook.x, q = Eigen::VectorXd::Zero(8);
         next.head(6) = wide(step.next);
-        q.head(3) = wide(pose_process_noise(u, params.noise));
+        q.head(3) = wide(u.process_noise);
         q.segment(3, 3) = wide(calibration_process_noise(u, params));
         textbook.predict(next, a, wide(step.b), wide(u.covariance), q);
         dead_reckon(filter, u, params);

@@ -61,7 +61,7 @@ void dead_reckon(Ekf<Scalar, kCalibratedStates>& filter, const Increment<Scalar>
     const Calibrated<RobotMotion<Scalar>, Scalar> model{{Scalar(params.motion.slip_angle_rad)},
                                                         u.dt_s * u.gyro_share};
     Vector<Scalar, 6> q;
-    q << pose_process_noise(u, params.noise), calibration_process_noise(u, params);
+    q << u.process_noise, calibration_process_noise(u, params);
     filter.predict(model, Vector<Scalar, 2>(u.distance_m, u.turn_rad), u.covariance, q);
 }
 
@@ -76,7 +76,7 @@ void dead_reckon(Ekf<Scalar, kTiltedStates>& filter, const Increment<Scalar>& u,
                                       Vector<Scalar, 2>(u.distance_m, u.turn_rad));
     Vector<Scalar, kTiltedStates> next = filter.state(), q;
     next.template head<kCalibratedStates>() = step.next;
-    q << pose_process_noise(u, params.noise), calibration_process_noise(u, params), 0, 0;
+    q << u.process_noise, calibration_process_noise(u, params), 0, 0;
     filter.propagate(next, step.a, step.b, u.covariance, q);
 }
 
@@ -90,8 +90,7 @@ void dead_reckon(Ekf<Scalar, kPoseStates>& filter, const Increment<Scalar>& u,
     for (int i = 0; i < 2; ++i)
         for (int j = 0; j < 2; ++j) gamma(i, j) = scale[i] * u.covariance(i, j) * scale[j];
     filter.predict(RobotMotion<Scalar>{Scalar(params.motion.slip_angle_rad)},
-                   calibrated_motion(filter.state(), u, params), gamma,
-                   pose_process_noise(u, params.noise));
+                   calibrated_motion(filter.state(), u, params), gamma, u.process_noise);
 }
 
 }  // namespace pilotage

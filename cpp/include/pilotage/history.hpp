@@ -1,10 +1,12 @@
 #pragma once
 /// \file
-/// The samples of the last seconds in their own order, each with room for what was computed at it.
-/// Capacity is fixed at construction; after it nothing is allocated.
+/// The samples of the last seconds in their own order, each with room for what was computed at it,
+/// and what was computed before them. Capacity is fixed at construction; after it nothing is
+/// allocated.
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "pilotage/samples.hpp"
@@ -16,14 +18,19 @@ namespace pilotage {
 template <typename Node>
 class History {
    public:
-    explicit History(std::size_t capacity) : pool_(capacity), order_(capacity) {
+    explicit History(std::size_t capacity) : pool_(capacity + 1), order_(capacity) {
         for (std::size_t i = 0; i < capacity; ++i) order_[i] = static_cast<std::uint32_t>(i);
+        past_ = static_cast<std::uint32_t>(capacity);
     }
 
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
-    [[nodiscard]] bool full() const noexcept { return size_ == pool_.size(); }
+    [[nodiscard]] bool full() const noexcept { return size_ == order_.size(); }
     [[nodiscard]] Node& operator[](std::size_t i) noexcept { return pool_[slot(i)]; }
     [[nodiscard]] const Node& operator[](std::size_t i) const noexcept { return pool_[slot(i)]; }
+
+    /// The node that was before all others.
+    [[nodiscard]] Node& past() noexcept { return pool_[past_]; }
+    [[nodiscard]] const Node& past() const noexcept { return pool_[past_]; }
 
     /// Where `sample` belongs, and whether the same sample is there already. Searched from the
     /// newest end, where samples usually belong.
@@ -53,6 +60,12 @@ class History {
         --size_;
     }
 
+    /// The same, and what stood in it is past now, in place of what was.
+    void pass_front() noexcept {
+        std::swap(past_, slot(0));
+        pop_front();
+    }
+
    private:
     [[nodiscard]] std::size_t wrapped(std::size_t i) const noexcept {
         return i < order_.size() ? i : i - order_.size();
@@ -68,6 +81,7 @@ class History {
     std::vector<std::uint32_t>
         order_;  // a ring: size_ indices in use from first_, then the free ones
     std::size_t first_ = 0, size_ = 0;
+    std::uint32_t past_;
 };
 
 }  // namespace pilotage

@@ -124,7 +124,10 @@ class Localizer {
 
     [[nodiscard]] std::size_t motion_before(std::size_t place) const noexcept;
     [[nodiscard]] std::size_t first_motion() const noexcept;
+    [[nodiscard]] const Track& track_at(std::size_t motion) const noexcept;
     [[nodiscard]] const Track& newest() const noexcept;
+    /// Where the history begins.
+    [[nodiscard]] Track& past() noexcept { return history_.past().track; }
     [[nodiscard]] Estimate describe(const Track& track, double silent_s) const noexcept;
 
     Tracker<Scalar, N> tracker_;
@@ -133,8 +136,7 @@ class Localizer {
     Listener* listener_;
     History<Node> history_;
     Associator<Scalar> frame_;
-    Track base_;     // what came before the first sample of the history
-    Memory memory_;  // of sightings older than that
+    Memory memory_;  // of sightings older than the history
 };
 
 extern template class Localizer<double, kPoseStates>;

@@ -99,11 +99,11 @@ class Tracker {
     /// The motion that ends at a motion sample, and the counters that the next one starts from.
     /// \pre the track has begun
     /// \param verdict fused or counter_reset
-    [[nodiscard]] Increment<Scalar> measure(Track& track, const Sample& motion,
-                                            Verdict& verdict) const noexcept;
+    [[nodiscard, gnu::flatten]] Increment<Scalar> measure(Track& track, const Sample& motion,
+                                                          Verdict& verdict) const noexcept;
 
     /// Moves the estimate.
-    void drive(Track& track, const Increment<Scalar>& u) const noexcept;
+    [[gnu::flatten]] void drive(Track& track, const Increment<Scalar>& u) const noexcept;
 
     /// The track at a later time if the robot goes on as it does; past motion.max_gap_s only how
     /// fast it may be is known.
@@ -115,10 +115,11 @@ class Tracker {
                                               Verdict& verdict) const noexcept;
     [[nodiscard]] Increment<Scalar> by_velocity(const BodyVelocity& velocity, double dt_s,
                                                 RotationStep& rotation) const noexcept;
-    void drive_as_learned(Track& track, const Increment<Scalar>& u) const noexcept;
-    [[nodiscard]] Pose<double> judged_window(Track& track) const noexcept;
-    [[nodiscard]] Pose<double> farthest(const Track& track, double time_s,
-                                        bool turn_known) const noexcept;
+    [[gnu::noinline, gnu::cold]] void drive_as_learned(Track& track,
+                                                       const Increment<Scalar>& u) const noexcept;
+    [[nodiscard, gnu::noinline, gnu::cold]] Pose<double> judged_window(Track& track) const noexcept;
+    [[nodiscard, gnu::noinline, gnu::cold]] Pose<double> farthest(const Track& track, double time_s,
+                                                                  bool turn_known) const noexcept;
     [[nodiscard]] Pose<Scalar> useful(const Ekf<Scalar, N>& filter,
                                       const Pose<double>& doubt) const noexcept;
     void doubt(Ekf<Scalar, N>& filter, const Pose<double>& variances) const noexcept;

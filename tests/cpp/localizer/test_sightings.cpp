@@ -30,7 +30,8 @@ template <typename Scalar, int N>
 void expect_hand_made(const Kind& kind, std::int64_t seen_at) {
     const Params params = camera_params();
     const MarkerSensorParams& camera = params.sensors[0];
-    const auto u = from_wheels(Scalar(0.2), Scalar(0.3), Scalar(1), Scalar(0.5), params.noise);
+    auto u = from_wheels(Scalar(0.2), Scalar(0.3), Scalar(1), Scalar(0.5), params.noise);
+    u.process_noise = pose_process_noise(u, params.noise);
     const auto fraction = Scalar(static_cast<double>(seen_at) / kSecond);
     const Vector<double, 3> z(0.1, -0.12, 6.2);
 

@@ -24,6 +24,13 @@ Increment<Scalar> wheels(double left, double right) {
 }
 
 template <typename Scalar>
+Increment<Scalar> with_gyro(Increment<Scalar> u, double turn_rad, HeadingSource source,
+                            const NoiseParams& noise) {
+    take_turn(u, Scalar(turn_rad), source, noise);
+    return u;
+}
+
+template <typename Scalar>
 Matrix<Scalar, 2> covariance(double distance, double cross, double turn) {
     Matrix<Scalar, 2> m;
     m << Scalar(distance), Scalar(cross), Scalar(cross), Scalar(turn);
@@ -60,7 +67,7 @@ TYPED_TEST(IncrementTest, OfSpeedsHoldsThemOverTheInterval) {
 
 TYPED_TEST(IncrementTest, WithTheGyroTakesTurnAndNoiseFromIt) {
     using Scalar = TypeParam;
-    const auto u = with_gyro(wheels<Scalar>(0.4, 0.6), Scalar(0.1), HeadingSource::gyro, noise());
+    const auto u = with_gyro(wheels<Scalar>(0.4, 0.6), 0.1, HeadingSource::gyro, noise());
     EXPECT_NEAR(u.turn_rad, 0.1, 1e-6);
     EXPECT_NEAR(u.distance_m, 0.5, 1e-6);
     EXPECT_EQ(u.gyro_share, 1);
@@ -71,7 +78,7 @@ TYPED_TEST(IncrementTest, WithTheGyroTakesTurnAndNoiseFromIt) {
 TYPED_TEST(IncrementTest, OfBothIsTheirInverseVarianceMean) {
     using Scalar = TypeParam;
     const auto w = wheels<Scalar>(0.4, 0.6);
-    const auto u = with_gyro(w, Scalar(0.1), HeadingSource::both, noise());
+    const auto u = with_gyro(w, 0.1, HeadingSource::both, noise());
     const double gyro = 0.0001, wheel = 0.04, sum = 1 / gyro + 1 / wheel;
     EXPECT_NEAR(u.turn_rad, (0.1 / gyro + 0.4 / wheel) / sum, 1e-6);
     EXPECT_NEAR(u.covariance(1, 1), 1 / sum, 1e-9);
@@ -83,22 +90,19 @@ TYPED_TEST(IncrementTest, OfBothIsTheirInverseVarianceMean) {
 
 TYPED_TEST(IncrementTest, OfBothTrustsTheSurerOne) {
     using Scalar = TypeParam;
-    const auto standing =
-        with_gyro(wheels<Scalar>(0, 0), Scalar(0.01), HeadingSource::both, noise());
+    const auto standing = with_gyro(wheels<Scalar>(0, 0), 0.01, HeadingSource::both, noise());
     EXPECT_EQ(standing.turn_rad, 0) << "wheels that stand are sure";
     NoiseParams sure_gyro = noise();
     sure_gyro.gyro_rad_per_sqrt_s = 0;
-    const auto driving =
-        with_gyro(wheels<Scalar>(0.4, 0.6), Scalar(0.1), HeadingSource::both, sure_gyro);
+    const auto driving = with_gyro(wheels<Scalar>(0.4, 0.6), 0.1, HeadingSource::both, sure_gyro);
     EXPECT_NEAR(driving.turn_rad, 0.1, 1e-7);
-    const auto neither =
-        with_gyro(wheels<Scalar>(0, 0), Scalar(0.2), HeadingSource::both, sure_gyro);
+    const auto neither = with_gyro(wheels<Scalar>(0, 0), 0.2, HeadingSource::both, sure_gyro);
     EXPECT_NEAR(neither.turn_rad, 0.1, 1e-7) << "0/0 is the plain mean";
 }
 
 TYPED_TEST(IncrementTest, CutInPartsAddsUpToTheWhole) {
     using Scalar = TypeParam;
-    const auto u = with_gyro(wheels<Scalar>(0.4, 0.6), Scalar(0.1), HeadingSource::both, noise());
+    const auto u = with_gyro(wheels<Scalar>(0.4, 0.6), 0.1, HeadingSource::both, noise());
     const auto a = u.part(Scalar(0.3)), b = u.part(Scalar(0.7));
     EXPECT_NEAR(a.distance_m + b.distance_m, u.distance_m, 1e-6);
     EXPECT_NEAR(a.turn_rad + b.turn_rad, u.turn_rad, 1e-6);

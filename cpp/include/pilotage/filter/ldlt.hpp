@@ -26,16 +26,17 @@ class Ldlt {
             const Scalar slack = tolerance == 0 ? Scalar(0) : tolerance * scale[k];
             const bool positive = pivot > slack;
             inverse_[k] = positive ? 1 / pivot : Scalar(0);
-            positive_ = positive_ && positive;
-            // A pivot may be a rounding below zero, a variance may not.
-            semidefinite_ = semidefinite_ &&
-                            (positive || (pivot >= -slack && a(k, k) >= 0 && std::isfinite(slack)));
-            // What has no variance has no covariance either.
-            if (!positive)
+            if (!positive) {
+                positive_ = false;
+                // A pivot may be a rounding below zero, a variance may not.
+                semidefinite_ =
+                    semidefinite_ && pivot >= -slack && a(k, k) >= 0 && std::isfinite(slack);
+                // What has no variance has no covariance either.
                 each<M>([&](int j) {
                     if (j > k && !(rest(j, k) * rest(j, k) <= slack * scale[j]))
                         semidefinite_ = false;
                 });
+            }
             each<M>([&](int j) {
                 if (j <= k) return;
                 lower_(j, k) = known_zero(rest(j, k)) ? Scalar(0) : rest(j, k) * inverse_[k];

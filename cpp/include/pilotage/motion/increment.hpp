@@ -19,8 +19,9 @@ struct Increment {
     Scalar turn_rad = 0;
     Matrix<Scalar, 2> covariance = Matrix<Scalar, 2>::Zero();  ///< of (distance, turn)
     Scalar gyro_share = 0;  ///< weight of the gyro in the turn, in [0, 1]
-    /// Variances of the pose for what no model describes: slip, gaps, being carried.
-    Pose<Scalar> doubt = Pose<Scalar>::Zero();
+    /// Variances of the pose for what `covariance` does not tell of: roughness, slip, gaps, being
+    /// carried.
+    Pose<Scalar> process_noise = Pose<Scalar>::Zero();
     bool still = false;  ///< the robot stood: time alone makes its pose no less sure
 
     /// The first `fraction` of it; noise is in proportion to what was driven.
@@ -30,7 +31,7 @@ struct Increment {
                 turn_rad * fraction,
                 Matrix<Scalar, 2>(covariance * fraction),
                 gyro_share,
-                Pose<Scalar>(doubt * fraction),
+                Pose<Scalar>(process_noise * fraction),
                 still};
     }
 };
@@ -70,10 +71,10 @@ template <typename Scalar>
     return u;
 }
 
-/// The same motion with its turn taken from the gyro, or from both by inverse variance.
+/// Takes the turn from the gyro, or from both by inverse variance.
 template <typename Scalar>
-[[nodiscard]] Increment<Scalar> with_gyro(Increment<Scalar> u, Scalar gyro_turn_rad,
-                                          HeadingSource source, const NoiseParams& noise) noexcept {
+void take_turn(Increment<Scalar>& u, Scalar gyro_turn_rad, HeadingSource source,
+               const NoiseParams& noise) noexcept {
     const Scalar gyro_variance =
         Scalar(noise.gyro_rad_per_sqrt_s * noise.gyro_rad_per_sqrt_s) * u.dt_s;
     const Scalar wheel_variance = u.covariance(1, 1), sum = gyro_variance + wheel_variance;
@@ -84,7 +85,6 @@ template <typename Scalar>
     u.covariance(0, 1) *= 1 - share;
     u.covariance(1, 0) *= 1 - share;
     u.gyro_share = share + (1 - share) * u.gyro_share;
-    return u;
 }
 
 /// The same interval of a robot that stood, whatever the gyro says.
@@ -96,7 +96,8 @@ template <typename Scalar>
     return still;
 }
 
-/// Process noise of the pose: slip grows with distance and turn, the rest with time.
+/// Process noise of the pose on even ground: a part grows with distance and turn, the rest with
+/// time.
 template <typename Scalar>
 [[nodiscard]] Pose<Scalar> pose_process_noise(const Increment<Scalar>& u,
                                               const NoiseParams& noise) noexcept {
@@ -111,16 +112,16 @@ template <typename Scalar>
     const Scalar heading = variance(noise.heading_rad_per_sqrt_m, driven) +
                            variance(noise.heading_rad_per_sqrt_rad, turned) +
                            variance(noise.heading_rad_per_sqrt_s, time_s);
-    return Pose<Scalar>(position, position, heading) + u.doubt;
+    return {position, position, heading};
 }
 
-/// The same motion, the variances of its noise times a factor; its doubt stays as it is.
+/// The same motion, the variances of its noise times a factor; slip, gaps and being carried stay as
+/// they are.
 template <typename Scalar>
 [[nodiscard]] Increment<Scalar> with_noise_times(Scalar factor, Increment<Scalar> u,
                                                  const NoiseParams& noise) noexcept {
-    const Pose<Scalar> process_noise = pose_process_noise(u, noise) - u.doubt;
     u.covariance *= factor;
-    u.doubt += (factor - 1) * process_noise;
+    u.process_noise += (factor - 1) * pose_process_noise(u, noise);
     return u;
 }
 
