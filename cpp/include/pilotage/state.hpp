@@ -61,4 +61,28 @@ template <typename Scalar, int N>
     return result;
 }
 
+/// Where a filter's state lives: what its plus and minus are. This is the robot's, above.
+struct HeadingSpace {
+    template <typename State>
+    [[nodiscard]] static State plus(const State& x, const State& dx) noexcept {
+        return pilotage::plus(x, dx);
+    }
+    template <typename State>
+    [[nodiscard]] static State minus(const State& a, const State& b) noexcept {
+        return pilotage::minus(a, b);
+    }
+};
+
+/// No entry is an angle.
+struct PlainSpace {
+    template <typename State>
+    [[nodiscard]] static State plus(const State& x, const State& dx) noexcept {
+        return x + dx;
+    }
+    template <typename State>
+    [[nodiscard]] static State minus(const State& a, const State& b) noexcept {
+        return a - b;
+    }
+};
+
 }  // namespace pilotage

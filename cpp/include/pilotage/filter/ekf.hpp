@@ -18,7 +18,8 @@
 
 namespace pilotage {
 
-template <typename Scalar, int N>
+/// \tparam Space what plus is for the state: HeadingSpace of a robot, PlainSpace without angles
+template <typename Scalar, int N, typename Space = HeadingSpace>
 class Ekf {
    public:
     using State = Vector<Scalar, N>;
@@ -58,13 +59,7 @@ class Ekf {
                                                     const Matrix<Scalar, M>& r,
                                                     const Policy& policy) noexcept {
         const auto h = model.linearize(x_.template head<Model::kStates>());
-        if (!h.defined) {
-            UpdateReport<Scalar, M> report;
-            report.innovation.setZero();
-            report.s.setZero();
-            report.fault = UpdateFault::undefined;
-            return report;
-        }
+        if (!h.defined) return UpdateReport<Scalar, M>::refused(UpdateFault::undefined);
         return correct(model.minus(z, h.value), h.jacobian, r, policy);
     }
 
@@ -152,7 +147,7 @@ class Ekf {
             !Ldlt<Scalar, M>(r).positive())
             return false;
         // Finite without a check: (K innovation)_i^2 <= P_ii NIS.
-        const State x = plus(
+        const State x = Space::plus(
             x_, entries<State>([&](int i, int) { return row_by_column(k, i, innovation, 0); }));
         fill(x_, [&](int i, int) { return x[i]; });
         fill(p_, [&](int i, int j) { return p(i, j); });

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// A = L D L' of a small symmetric matrix: solves with S, and tells whether a covariance is one.
+/// A = L D L' of a small symmetric matrix: solves with S, tells whether a covariance is one and
+/// gives its square root.
 
 #include <cmath>
 
@@ -102,6 +103,18 @@ class Ldlt {
             result.col(j) = solve(unit);
         });
         return result;
+    }
+
+    /// The lower triangular R with R R' = A. A pivot that counts as zero leaves its column zero.
+    [[nodiscard]] Matrix<Scalar, M> root() const noexcept {
+        using std::sqrt;
+        Matrix<Scalar, M> r = Matrix<Scalar, M>::Zero();
+        for (int j = 0; j < M; ++j) {
+            if (!(inverse_[j] > 0)) continue;
+            r(j, j) = sqrt(1 / inverse_[j]);
+            for (int i = j + 1; i < M; ++i) r(i, j) = lower_(i, j) * r(j, j);
+        }
+        return r;
     }
 
    private:

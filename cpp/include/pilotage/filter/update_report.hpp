@@ -22,6 +22,15 @@ struct UpdateReport {
     Scalar weight = 0;             ///< robust weight, 0 when not taken
     UpdateFault fault = UpdateFault::none;
 
+    /// Of an update that came to no innovation.
+    [[nodiscard]] static UpdateReport refused(UpdateFault fault) noexcept {
+        UpdateReport report;
+        report.innovation.setZero();
+        report.s.setZero();
+        report.fault = fault;
+        return report;
+    }
+
     [[nodiscard]] bool accepted() const noexcept { return fault == UpdateFault::none; }
 };
 
