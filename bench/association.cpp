@@ -22,7 +22,7 @@ struct Frame {
 };
 
 /// Markers within 10 m of the origin, robots within 3 m that see bearing and range.
-std::vector<Frame> make_frames(MarkerMap& map, const MarkerSensorParams& sensor) {
+std::vector<Frame> make_frames(MarkerMap& map, const SensorParams& sensor) {
     std::mt19937 random(1);
     const auto uniform = [&](double most) {
         return most * (static_cast<double>(random()) / 2147483648.0 - 1);
@@ -55,7 +55,7 @@ std::vector<Frame> make_frames(MarkerMap& map, const MarkerSensorParams& sensor)
 }  // namespace
 
 int main() {
-    const MarkerSensorParams sensor;
+    const SensorParams sensor;
     const Policy policy =
         Policy::make(sensor.fusion, sensor.gate_false_reject, sensor.student_t_dof);
     MarkerMap map;

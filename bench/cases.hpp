@@ -31,7 +31,7 @@ struct Case {
 
 /// What the localizer has besides.
 struct Site {
-    MarkerSensorParams sensor;
+    SensorParams sensor;
     Policy policy = Policy::make(sensor.fusion, sensor.gate_false_reject, sensor.student_t_dof);
     MarkerMap map;
 };

@@ -113,7 +113,7 @@ void bind_filter(py::module_& m) {
         .def_static(
             "student_t",
             [](double nu) {
-                return Policy::make(Fusion::student_t, MarkerSensorParams{}.gate_false_reject, nu);
+                return Policy::make(Fusion::student_t, SensorParams{}.gate_false_reject, nu);
             },
             py::arg("dof") = Policy{}.student_t_dof, "Weights by (nu + d) / (nu + NIS), at most 1.")
         .def(

@@ -14,13 +14,28 @@
 namespace pilotage {
 
 /// What a message is about.
-enum class Kind : std::uint8_t { encoders, velocity, gyro, frame, reset, reference, tick };
+enum class Kind : std::uint8_t {
+    encoders,
+    velocity,
+    gyro,
+    frame,
+    fix,
+    walls,
+    reset,
+    reference,
+    tick
+};
+
+/// Whether such messages name the sensor that they are of.
+[[nodiscard]] constexpr bool names_sensor(Kind kind) noexcept {
+    return kind == Kind::frame || kind == Kind::fix || kind == Kind::walls;
+}
 
 /// A message as the engine sees it: one stamp, any number of samples.
 struct Decoded {
     std::int64_t utime = 0;
     std::int32_t seq = 0;
-    std::string sensor;  ///< of a frame
+    std::string sensor;  ///< that it names, if it is of one
     std::vector<Sample> samples;
     double reference[3] = {};  ///< x, y, heading of a reference
     std::int64_t drops = 0;    ///< of a tick
@@ -40,8 +55,8 @@ struct Codec {
 /// The first eight bytes as a number; 0 if there are fewer.
 [[nodiscard]] std::int64_t fingerprint_of(const std::uint8_t* data, std::size_t size) noexcept;
 
-/// Name of the type that an input of this kind is expected to have.
-[[nodiscard]] const char* expected_type(Kind kind);
+/// Names of the types that an input of this kind takes.
+[[nodiscard]] std::string expected_types(Kind kind);
 
 /// Encodes any lcm-gen type into `buffer`, which keeps its memory.
 template <typename Message>

@@ -11,6 +11,7 @@
 
 #include "pilotage/marker_map.hpp"
 #include "pilotage/params.hpp"
+#include "pilotage/wall_map.hpp"
 
 namespace pilotage {
 
@@ -46,6 +47,9 @@ enum class ResetPolicy : unsigned char {
     never,
 };
 
+/// Where a sensor's messages come if nothing is said.
+[[nodiscard]] const char* default_channel(Measures measures) noexcept;
+
 struct Config {
     Params params;  ///< sensors in the order of sensor_names
     InputParams encoders{"ENCODERS"};
@@ -58,8 +62,9 @@ struct Config {
     std::vector<std::string> sensor_names;
     std::vector<InputParams> sensor_inputs;
     MarkerMap map;
-    std::string
-        map_file;  ///< as written in the configuration, empty if the map stands in it or is missing
+    WallMap walls;
+    /// As written in the configuration, empty if the map stands in it or is missing.
+    std::string map_file, walls_file;
 
     /// The sensor's number, added with defaults if it is new. \throws ConfigError, with `where` in
     /// front, past Params::kMaxSensors and for a name that no key could hold

@@ -8,6 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "pilotage/examine.hpp"
+
 namespace pilotage {
 
 namespace {
@@ -115,6 +117,43 @@ MarkerMap parse_map(const YAML::Node& list, const std::string& where) {
     return checked_map(std::move(markers), where);
 }
 
+/// One line of walls from corner to corner.
+void parse_line(const YAML::Node& line, const std::string& where, std::vector<Wall>& walls) {
+    const auto is_point = [](const YAML::Node& n) { return n.IsSequence() && n.size() == 2; };
+    const bool points = line.IsSequence() && line.size() >= 2 &&
+                        std::all_of(line.begin(), line.end(), is_point);
+    if (!points) fail(where, line, "a line of walls is a list of corners: - [[0, 0], [5, 0], [5, 10]]");
+    const auto at = [&](std::size_t i, int axis) {
+        return number(line[i][axis], axis == 0 ? "x" : "y", where);
+    };
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        walls.push_back({at(i, 0), at(i, 1), at(i + 1, 0), at(i + 1, 1)});
+}
+
+WallMap parse_walls(const YAML::Node& list, const std::string& where) {
+    if (!list.IsSequence() || list.size() == 0)
+        fail(where, list, "walls are a list of lines from corner to corner: - [[0, 0], [5, 0]]");
+    std::vector<Wall> walls;
+    for (const auto& line : list) parse_line(line, where, walls);
+    return checked_walls(std::move(walls), where);
+}
+
+/// Takes a map that stands in the configuration itself, or the file that it names.
+void apply_map(Config& config, const std::string& key, const YAML::Node& value,
+               const std::string& where, const std::string& folder) {
+    std::string name = where;
+    YAML::Node list = value;
+    if (value.IsScalar()) {
+        name = value.Scalar();
+        if (name.front() != '/' && !folder.empty()) name = folder + "/" + name;
+        list = parse_yaml(read_file(name), name);
+    }
+    if (key == "map")
+        config.map = parse_map(list, name);
+    else
+        config.walls = parse_walls(list, name);
+}
+
 /// Whether there are keys under it.
 bool is_section(Config& config, const std::string& key) {
     const std::string prefix = key + ".";
@@ -129,10 +168,18 @@ void apply(Config& config, const YAML::Node& node, const std::string& prefix,
               [&](const std::string& name, const YAML::Node& at_key, const YAML::Node& value) {
                   const std::string key = prefix + name;
                   const std::string line = at(where, at_key.Mark());
-                  if (key == "map" && !value.IsScalar()) {
-                      config.map = parse_map(value, where);
+                  const bool map = key == "map" || key == "walls";
+                  if (map && !value.IsScalar()) {
+                      apply_map(config, key, value, where, folder);
                   } else if (value.IsMap()) {
-                      if (prefix == "sensors.") config.sensor(name, line);
+                      if (prefix == "sensors.") {
+                          config.sensor(name, line);
+                          // The other keys depend on it, wherever it stands.
+                          if (const YAML::Node measures = value["measures"]; measures.IsDefined())
+                              if (measures.IsScalar())
+                                  field(config, key + ".measures", line)
+                                      .set(measures.Scalar(), at(where, measures.Mark()));
+                      }
                       // No key has more parts than three; by an alias to what it stands in, YAML
                       // may hold sections without end.
                       const bool deep = std::count(key.begin(), key.end(), '.') >= 2;
@@ -143,12 +190,7 @@ void apply(Config& config, const YAML::Node& node, const std::string& prefix,
                       apply(config, value, key + ".", where, folder);
                   } else if (value.IsScalar()) {
                       field(config, key, line).set(value.Scalar(), at(where, value.Mark()));
-                      if (key == "map") {
-                          const bool absolute = config.map_file.front() == '/';
-                          config.map =
-                              load_map(absolute || folder.empty() ? config.map_file
-                                                                  : folder + "/" + config.map_file);
-                      }
+                      if (map) apply_map(config, key, value, where, folder);
                   } else {
                       fail(where, at_key, "'" + key + "' needs a value");
                   }
@@ -171,6 +213,18 @@ MarkerMap checked_map(std::vector<Marker> markers, const std::string& where) {
         if (m.label < -1) throw ConfigError(name + ": a label is 0 or more (-1 means none)");
     }
     return MarkerMap(std::move(markers));
+}
+
+WallMap checked_walls(std::vector<Wall> walls, const std::string& where) {
+    for (const Wall& w : walls) {
+        for (const double v : {w.from_x_m, w.from_y_m, w.to_x_m, w.to_y_m})
+            if (!(std::abs(v) <= kFarthest))
+                throw ConfigError(where + ": a wall's corners must be finite and within 1e7 m");
+        if (w.from_x_m == w.to_x_m && w.from_y_m == w.to_y_m)
+            throw ConfigError(where + ": a wall begins and ends at " + std::to_string(w.from_x_m) +
+                              ", " + std::to_string(w.from_y_m));
+    }
+    return WallMap(std::move(walls));
 }
 
 MarkerMap load_map(const std::string& path) {
@@ -211,7 +265,7 @@ std::string to_yaml(const Config& config) {
     Config copy = config;
     YAML::Node root(YAML::NodeType::Map);
     for (const Field& f : fields(copy)) {
-        if (f.unset() || f.key == "map") continue;
+        if (f.unset() || f.key == "map" || f.key == "walls") continue;
         YAML::Node node = root;
         std::istringstream path(f.key);
         std::string part, last;
@@ -222,7 +276,20 @@ std::string to_yaml(const Config& config) {
     std::ostringstream text;
     text << root << "\n";
     if (!config.map.markers().empty()) text << "map:\n" << to_yaml(config.map);
+    if (!config.walls.walls().empty()) text << "walls:\n" << to_yaml(config.walls);
     return text.str();
+}
+
+std::string to_yaml(const WallMap& map) {
+    YAML::Emitter out;
+    out.SetDoublePrecision(17);
+    out << YAML::BeginSeq;
+    for (const Wall& w : map.walls())
+        out << YAML::Flow << YAML::BeginSeq << YAML::BeginSeq << w.from_x_m << w.from_y_m
+            << YAML::EndSeq << YAML::BeginSeq << w.to_x_m << w.to_y_m << YAML::EndSeq
+            << YAML::EndSeq;
+    out << YAML::EndSeq;
+    return std::string(out.c_str()) + "\n";
 }
 
 void save_map(const MarkerMap& map, const std::string& path) {

@@ -26,7 +26,10 @@ namespace pilotage {
 void save_map(const MarkerMap& map, const std::string& path);
 [[nodiscard]] std::string to_yaml(const MarkerMap& map);
 
-/// Refuses what would make a map unusable. \throws ConfigError
+[[nodiscard]] std::string to_yaml(const WallMap& map);
+
+/// Refuse what would make a map unusable. \throws ConfigError
 [[nodiscard]] MarkerMap checked_map(std::vector<Marker> markers, const std::string& where);
+[[nodiscard]] WallMap checked_walls(std::vector<Wall> walls, const std::string& where);
 
 }  // namespace pilotage

@@ -42,34 +42,47 @@ void add_calibration(std::vector<Field>& list, const std::string& name, Calibrat
                     "(rotation_scale)"});
 }
 
+/// Only keys that have a meaning for what the sensor measures.
 void add_sensor(std::vector<Field>& list, const std::string& name, InputParams& input,
-                MarkerSensorParams& s) {
+                SensorParams& s) {
     const std::string prefix = "sensors." + name + ".";
+    const auto add = [&](const char* key, auto value, Range range, const char* meaning) {
+        list.push_back({prefix + key, value, range, meaning});
+    };
+    const bool markers = s.measures == Measures::markers, pose = s.measures == Measures::pose;
+    add("measures", choice(s.measures, {"markers", "pose", "walls"}), Range::any,
+        "markers: their bearing, elevation and range (marker_frame_t); pose: its own position, "
+        "heading or both (position_fix_t, heading_t, pose_fix_t); walls: their range along beams "
+        "(wall_range_t); to be said before what depends on it");
     add_input(list, prefix, input);
-    list.push_back({prefix + "x_m", &s.x_m, Range::any, "mounting, forward of the mid-axis"});
-    list.push_back({prefix + "y_m", &s.y_m, Range::any, "mounting, left of the mid-axis"});
-    list.push_back({prefix + "z_m", &s.z_m, Range::any, "mounting, above the ground"});
-    list.push_back({prefix + "yaw_rad", &s.yaw_rad, Range::any, "mounting, left positive"});
-    list.push_back({prefix + "sigma_bearing_rad", &s.sigma_bearing_rad, Range::positive,
-                    "noise of a bearing"});
-    list.push_back({prefix + "sigma_elevation_rad", &s.sigma_elevation_rad, Range::positive,
-                    "noise of an elevation"});
-    list.push_back(
-        {prefix + "sigma_range_m", &s.sigma_range_m, Range::positive, "noise of a range"});
-    list.push_back({prefix + "sigma_range_per_m", &s.sigma_range_per_m, Range::not_negative,
-                    "noise of a range, times the range, added in quadrature"});
-    list.push_back(
-        {prefix + "range_scale", &s.range_scale, Range::positive, "reported over true range"});
-    list.push_back(
-        {prefix + "range_offset_m", &s.range_offset_m, Range::any, "reported at range zero"});
-    list.push_back({prefix + "min_distance_m", &s.min_distance_m, Range::positive,
-                    "nearer markers are rejected as too_close"});
-    list.push_back({prefix + "fusion", choice(s.fusion, {"plain", "gate", "student_t"}), Range::any,
-                    "full weight, rejection above the gate, or a weight that falls with the NIS"});
-    list.push_back({prefix + "gate_false_reject", &s.gate_false_reject, Range::probability,
-                    "how often the gate may reject a good sighting"});
-    list.push_back({prefix + "student_t_dof", &s.student_t_dof, Range::positive,
-                    "nu of the Student-t weight, smaller is more sceptical"});
+    add("x_m", &s.x_m, Range::any, "mounting, forward of the mid-axis");
+    add("y_m", &s.y_m, Range::any, "mounting, left of the mid-axis");
+    if (markers) add("z_m", &s.z_m, Range::any, "mounting, above the ground");
+    add("yaw_rad", &s.yaw_rad, Range::any, "mounting, left positive");
+    if (pose) {
+        add("sigma_position_m", &s.sigma_position_m, Range::positive, "noise of x and of y");
+        add("sigma_heading_rad", &s.sigma_heading_rad, Range::positive, "noise of a heading");
+    } else {
+        if (markers) {
+            add("sigma_bearing_rad", &s.sigma_bearing_rad, Range::positive, "noise of a bearing");
+            add("sigma_elevation_rad", &s.sigma_elevation_rad, Range::positive,
+                "noise of an elevation");
+        }
+        add("sigma_range_m", &s.sigma_range_m, Range::positive, "noise of a range");
+        add("sigma_range_per_m", &s.sigma_range_per_m, Range::not_negative,
+            "noise of a range, times the range, added in quadrature");
+        add("range_scale", &s.range_scale, Range::positive, "reported over true range");
+        add("range_offset_m", &s.range_offset_m, Range::any, "reported at range zero");
+    }
+    if (markers)
+        add("min_distance_m", &s.min_distance_m, Range::positive,
+            "nearer markers are rejected as too_close");
+    add("fusion", choice(s.fusion, {"plain", "gate", "student_t"}), Range::any,
+        "full weight, rejection above the gate, or a weight that falls with the NIS");
+    add("gate_false_reject", &s.gate_false_reject, Range::probability,
+        "how often the gate may reject a good measurement");
+    add("student_t_dof", &s.student_t_dof, Range::positive,
+        "nu of the Student-t weight, smaller is more sceptical");
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -183,6 +196,11 @@ std::string legible(std::string_view text) {
 
 }  // namespace
 
+const char* default_channel(Measures measures) noexcept {
+    constexpr const char* channels[] = {"MARKERS", "FIX", "WALLS"};
+    return channels[static_cast<int>(measures)];
+}
+
 int Config::sensor(std::string_view name, const std::string& where) {
     const auto at = std::find(sensor_names.begin(), sensor_names.end(), name);
     if (at != sensor_names.end()) return static_cast<int>(at - sensor_names.begin());
@@ -193,7 +211,7 @@ int Config::sensor(std::string_view name, const std::string& where) {
         fail(where, "sensors." + std::string(name) + ": there can be at most " +
                         std::to_string(Params::kMaxSensors) + " sensors");
     sensor_names.emplace_back(name);
-    sensor_inputs.push_back({"MARKERS"});
+    sensor_inputs.push_back({default_channel(Measures::markers)});
     return params.sensor_count++;
 }
 
@@ -205,6 +223,9 @@ std::vector<Field> fields(Config& c) {
     Params& p = c.params;
     add("map", &c.map_file, Range::any,
         "marker map file, relative to this file; or the list itself");
+    add("walls", &c.walls_file, Range::any, "likewise, of walls, for sensors that measure them");
+    add("filter", choice(p.filter, {"ekf", "ukf"}), Range::any,
+        "extended Kalman filter, or unscented: for very wide noise, several times the work");
     add("motion.source", choice(p.motion.source, {"encoders", "velocity"}), Range::any,
         "which message carries the motion");
     add("motion.heading", choice(p.motion.heading, {"gyro", "wheels", "both"}), Range::any,
@@ -339,7 +360,7 @@ void Field::set(const std::string& text, const std::string& where) const {
         if (!parse(text, v) || v < 1 || v > 1'000'000) refuse("a whole number from 1 to 1000000");
         **integer = v;
     } else if (const auto* string = std::get_if<std::string*>(&value)) {
-        const bool file = key == "map";
+        const bool file = key == "map" || key == "walls";
         if (file ? text.empty() : !is_name(text)) refuse(file ? "a file" : kNameExpected);
         **string = text;
     } else {

@@ -26,6 +26,11 @@ constexpr std::int64_t kEver = std::numeric_limits<std::int64_t>::max();
     throw std::runtime_error(what);
 }
 
+Kind kind_of(Measures measures) noexcept {
+    constexpr Kind kinds[] = {Kind::frame, Kind::fix, Kind::walls};
+    return kinds[static_cast<int>(measures)];
+}
+
 /// The receive clock as far as sums and differences of its times fit in 64 bits: what reads a
 /// damaged log may say anything.
 std::int64_t within_time(std::int64_t received) noexcept {
@@ -38,13 +43,13 @@ std::int64_t within_time(std::int64_t received) noexcept {
 Engine::Engine(Config config, EngineOutput& output)
     : config_(std::move(config)),
       output_(&output),
-      localizer_(make_localizer(config_.params, config_.map, *this)),
+      localizer_(make_localizer(config_.params, config_.map, config_.walls, *this)),
       pose_output_(config_.params.motion.slip_angle_rad, config_.output.jump_m,
                    config_.output.jump_rad),
       publisher_(config_, output) {
     for (std::size_t i = 0; i < config_.sensor_names.size(); ++i)
-        inputs_.emplace_back(config_.sensor_names[i], config_.sensor_inputs[i], Kind::frame,
-                             static_cast<int>(i));
+        inputs_.emplace_back(config_.sensor_names[i], config_.sensor_inputs[i],
+                             kind_of(config_.params.sensors[i].measures), static_cast<int>(i));
     motion_ = inputs_.size();
     if (config_.params.motion.source == MotionSource::encoders)
         inputs_.emplace_back("encoders", config_.encoders, Kind::encoders);
@@ -78,7 +83,7 @@ void Engine::handle(std::string_view channel, std::int64_t received, const std::
         if (whole) tick(decoded_.utime, decoded_.drops);
         return;
     }
-    Input* input = input_for(channel, whole && codec->kind == Kind::frame ? &decoded_ : nullptr);
+    Input* input = input_for(channel, whole && names_sensor(codec->kind) ? &decoded_ : nullptr);
     if (input == nullptr || !acceptable(*input, codec, whole, fingerprint, size)) return;
     input->received(received, decoded_.seq, decoded_.samples.size());
     const Input::Date date = input->date(decoded_.utime, decoded_.seq, received);
@@ -103,7 +108,7 @@ bool Engine::acceptable(Input& input, const Codec* codec, bool whole, std::int64
     if (codec == nullptr || codec->kind != input.kind()) {
         input.fault(MessageFault::wrong_type);
         complain("type on " + channel,
-                 wrong_type(channel, expected_type(input.kind()),
+                 wrong_type(channel, expected_types(input.kind()),
                             codec != nullptr ? codec->type : "an unknown type", fingerprint));
         return false;
     }
@@ -113,7 +118,7 @@ bool Engine::acceptable(Input& input, const Codec* codec, bool whole, std::int64
                  channel + ": a broken " + codec->type + " of " + std::to_string(size) + " bytes");
         return false;
     }
-    if (input.kind() == Kind::frame && input.name() != decoded_.sensor) {
+    if (names_sensor(input.kind()) && input.name() != decoded_.sensor) {
         input.fault(MessageFault::unknown_sensor);
         complain("sensor on " + channel, unknown_sensor(channel, decoded_.sensor));
         return false;
@@ -150,13 +155,13 @@ void Engine::follow_clock(std::int64_t utime, std::int64_t received) {
     clock_set_ = true;
 }
 
-/// The input of a channel; where several sensors share one, the one that the frame names, else the
-/// first.
-Input* Engine::input_for(std::string_view channel, const Decoded* frame) noexcept {
+/// The input of a channel; where several sensors share one, the one that the message names, else
+/// the first.
+Input* Engine::input_for(std::string_view channel, const Decoded* named) noexcept {
     Input* found = nullptr;
     for (Input& input : inputs_) {
         if (input.channel() != channel) continue;
-        if (frame == nullptr || input.kind() != Kind::frame || input.name() == frame->sensor)
+        if (named == nullptr || !names_sensor(input.kind()) || input.name() == named->sensor)
             return &input;
         if (found == nullptr) found = &input;
     }
@@ -166,6 +171,8 @@ Input* Engine::input_for(std::string_view channel, const Decoded* frame) noexcep
 void Engine::on_verdict(const Sample& sample, Verdict before, Verdict now) {
     switch (sample.stream) {
         case Stream::sighting:
+        case Stream::fix:
+        case Stream::beam:
             return inputs_[sample.source].judged(before, now);
         case Stream::motion:
             return inputs_[motion_].judged(before, now);
@@ -340,7 +347,7 @@ std::string Engine::waiting_for() const {
              ", or initial: in the configuration)");
     const auto input_want = [&](const Input& input) {
         if (needed(input) && !input.seen())
-            want(std::string(expected_type(input.kind())) + " on " + input.channel());
+            want(expected_types(input.kind()) + " on " + input.channel());
     };
     input_want(inputs_[motion_]);
     input_want(inputs_[gyro_]);

@@ -72,7 +72,7 @@ class Engine final : private Listener {
     void on_verdict(const Sample& sample, Verdict before, Verdict now) override;
     void on_sighting(const SightingReport& report) override;
 
-    [[nodiscard]] Input* input_for(std::string_view channel, const Decoded* message) noexcept;
+    [[nodiscard]] Input* input_for(std::string_view channel, const Decoded* named) noexcept;
     [[nodiscard]] bool acceptable(Input& input, const Codec* codec, bool whole,
                                   std::int64_t fingerprint, std::size_t size);
     [[nodiscard]] bool take(Input& input, Sample& sample, const Input::Date& date);

@@ -80,6 +80,7 @@ void Input::reported(const SightingReport& report, double distance_m) noexcept {
     if (report.verdict != Verdict::fused && report.verdict != Verdict::gate) return;
     const double contradicts = report.agrees ? 0 : 1;
     contradiction_ += 0.02 * (contradicts - contradiction_);
+    if (kind_ != Kind::frame) return;
     double& of_marker = contradiction_by_marker_[report.id];
     of_marker += 0.2 * (contradicts - of_marker);
     if (report.agrees && report.sigma[kElevation] > 0)
@@ -143,7 +144,8 @@ std::string Input::rate_problem() const {
 
 std::string Input::contradictions() const {
     const std::string all =
-        words("%.0f %% of the latest sightings contradict the pose", 100 * contradiction_);
+        words("%.0f %% of the latest %s contradict the pose", 100 * contradiction_,
+              kind_ == Kind::frame ? "sightings" : "measurements");
     if (contradiction_ > 0.5) return all;
     for (const auto& [id, share] : contradiction_by_marker_)
         if (share > 0.7)

@@ -29,7 +29,7 @@ bool Associator<Scalar>::seen_by_id(std::int32_t id) const noexcept {
 
 template <typename Scalar>
 void Associator<Scalar>::resolve(const Pose<Scalar>& robot, const Matrix<Scalar, 3>& covariance,
-                                 const MarkerMap& map, const MarkerSensorParams& sensor,
+                                 const MarkerMap& map, const SensorParams& sensor,
                                  const Policy& policy, Scalar tilt_variance,
                                  double stated_scale) noexcept {
     const SensorPlace<Scalar> place(robot, covariance, sensor);

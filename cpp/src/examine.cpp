@@ -23,24 +23,52 @@ Verdict examine_numbers(const PoseReset& reset) noexcept {
     return !finite ? Verdict::bad_value : plausible ? Verdict::pending : Verdict::implausible;
 }
 
+/// Whether numbers that are finite or NaN are such as a robot may meet.
+Verdict near(const double (&values)[3]) noexcept {
+    for (const double v : values)
+        if (std::abs(v) > kFarthest) return Verdict::implausible;
+    return Verdict::pending;
+}
+
+template <int N>
+bool is_definite(const Matrix<double, N>& p) noexcept {
+    return p.allFinite() && is_covariance<N>(p) && Ldlt<double, N>(p).positive();
+}
+
+/// A sigma or variance from outside; NaN: as configured.
+bool usable_spread(double spread) noexcept {
+    return std::isnan(spread) || (spread > 0 && std::isfinite(spread));
+}
+
+bool usable(const Fix& fix) noexcept {
+    const bool position = std::isfinite(fix.value[kX]) && std::isfinite(fix.value[kY]);
+    const bool heading = std::isfinite(fix.value[kHeading]);
+    const bool whole = (position || (std::isnan(fix.value[kX]) && std::isnan(fix.value[kY]))) &&
+                       (heading || std::isnan(fix.value[kHeading]));
+    if (!whole || !(position || heading)) return false;
+    const Matrix<double, 3> p = symmetric_of(fix.covariance);
+    if (p.array().isNaN().all()) return true;
+    if (!position) return usable_spread(p(kHeading, kHeading));
+    return heading ? is_definite<3>(p) : is_definite<2>(p.topLeftCorner<2, 2>());
+}
+
 bool usable(const Sighting& sighting) noexcept {
     int measured = 0;
     for (int i = 0; i < 3; ++i) {
         if (std::isinf(sighting.value[i])) return false;
         if (std::isnan(sighting.value[i])) continue;
         ++measured;
-        const double sigma = sighting.sigma[i];
-        if (!std::isnan(sigma) && !(sigma > 0 && std::isfinite(sigma))) return false;
+        if (!usable_spread(sighting.sigma[i])) return false;
     }
     return measured > 0;
 }
 
 }  // namespace
 
-Matrix<double, 3> covariance_of(const PoseReset& reset) noexcept {
+Matrix<double, 3> symmetric_of(const double (&lower)[6]) noexcept {
     Matrix<double, 3> p;
     for (int i = 0, at = 0; i < 3; ++i)
-        for (int j = 0; j <= i; ++j) p(i, j) = p(j, i) = reset.covariance[at++];
+        for (int j = 0; j <= i; ++j) p(i, j) = p(j, i) = lower[at++];
     return p;
 }
 
@@ -50,7 +78,7 @@ Verdict examine(const Sample& sample, const Params& params) noexcept {
     switch (sample.stream) {
         case Stream::reset: {
             if (const Verdict v = examine_numbers(payload.reset); v != Verdict::pending) return v;
-            return is_covariance(covariance_of(payload.reset)) ? Verdict::pending
+            return is_covariance(symmetric_of(payload.reset.covariance)) ? Verdict::pending
                                                                : Verdict::bad_value;
         }
         case Stream::gyro:
@@ -69,9 +97,16 @@ Verdict examine(const Sample& sample, const Params& params) noexcept {
         }
         case Stream::sighting:
             if (!usable(payload.sighting)) return Verdict::bad_value;
-            for (const double v : payload.sighting.value)
-                if (std::abs(v) > kFarthest) return Verdict::implausible;
-            return Verdict::pending;
+            return near(payload.sighting.value);
+        case Stream::fix:
+            return usable(payload.fix) ? near(payload.fix.value) : Verdict::bad_value;
+        case Stream::beam: {
+            const Beam& beam = payload.beam;
+            if (!std::isfinite(beam.angle_rad) || !(beam.range_m > 0) ||
+                !usable_spread(beam.sigma_m))
+                return Verdict::bad_value;
+            return near({beam.angle_rad, beam.range_m, 0});
+        }
     }
     return Verdict::bad_value;
 }

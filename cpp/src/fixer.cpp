@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pilotage/examine.hpp"
+#include "pilotage/fuse_fix.hpp"
 
 namespace pilotage {
 
@@ -18,10 +19,10 @@ constexpr double kRestored = 3;
 }  // namespace
 
 template <typename Scalar, int N>
-Fixer<Scalar, N>::Fixer(const Params& params, MarkerMap map)
-    : params_(params), map_(std::move(map)) {
+Fixer<Scalar, N>::Fixer(const Params& params, MarkerMap map, WallMap walls)
+    : params_(params), map_(std::move(map)), walls_(std::move(walls)) {
     for (int i = 0; i < params.sensor_count; ++i) {
-        const MarkerSensorParams& sensor = params.sensors[i];
+        const SensorParams& sensor = params.sensors[i];
         policies_[i] = Policy::make(sensor.fusion, sensor.gate_false_reject, sensor.student_t_dof);
     }
 }
@@ -30,7 +31,7 @@ template <typename Scalar, int N>
 void Fixer<Scalar, N>::recognise(const Track& track, int sensor,
                                  Associator<Scalar>& frame) const noexcept {
     if (!track.located || !frame.any_unknown()) return;
-    const auto resolve = [&](const MarkerSensorParams& params, double stated_scale) {
+    const auto resolve = [&](const SensorParams& params, double stated_scale) {
         frame.resolve(track.filter.state().template head<kPoseStates>(),
                       track.filter.covariance().template topLeftCorner<kPoseStates, kPoseStates>(),
                       map_, params, policies_[sensor], Scalar(params_.tilt.variance_rad2()),
@@ -58,46 +59,82 @@ SightingReport Fixer<Scalar, N>::sight(Track& track, const Sample& sample,
     }
     Sample known = sample;
     known.payload.sighting.id = of.id;
-    const Policy& policy = policies_[sample.source];
     const Pose<double> odometry = track.odometry();
     const SightingReport report = fuse(track, known);
-    if (report.verdict == Verdict::fused || report.verdict == Verdict::gate) {
-        track.keep_odometry(odometry);
-        track.agreement.add(report.nis, report.dof, policy.gate_nis[report.dof - 1]);
-        if (track.agreement.last_agreed()) track.agreed_utime = sample.utime;
+    follow(track, odometry, report);
+    return report;
+}
+
+/// What a measurement that met the estimate tells of it.
+/// \param odometry as it was before
+template <typename Scalar, int N>
+void Fixer<Scalar, N>::follow(Track& track, const Pose<double>& odometry,
+                              const SightingReport& report) const noexcept {
+    if (report.verdict != Verdict::fused && report.verdict != Verdict::gate) return;
+    track.keep_odometry(odometry);
+    track.agreement.add(report.nis, report.dof,
+                        policies_[report.sensor].gate_nis[report.dof - 1]);
+    if (track.agreement.last_agreed()) track.agreed_utime = report.utime;
+}
+
+template <typename Scalar, int N>
+SightingReport Fixer<Scalar, N>::fix(Track& track, const Sample& sample) const noexcept {
+    const SensorParams& sensor = params_.sensors[sample.source];
+    if (!track.located) {
+        SightingReport report = blank_report(sample, Verdict::not_initialized);
+        if (sample.stream != Stream::fix || report.dof < 3) return report;
+        const FixedPose robot = robot_of(sample.payload.fix, sensor);
+        place(track, robot.pose, robot.covariance);
+        track.agreed_utime = sample.utime;
+        report.verdict = Verdict::fused;
+        report.weight = 1;
+        report.agrees = true;
+        return report;
     }
+    const Pose<double> odometry = track.odometry();
+    const double scale = params_.noise.adapts() ? track.noise.sensor(sample.source) : 1;
+    const SightingReport report =
+        fuse_fix(track.filter, sample, walls_, sensor, scale, policies_[sample.source]);
+    if (params_.noise.adapts())
+        learn(track, report,
+              [&](int c) { return scale * scale * variance_of(sample, sensor, c); });
+    follow(track, odometry, report);
     return report;
 }
 
 template <typename Scalar, int N>
 SightingReport Fixer<Scalar, N>::fuse(Track& track, const Sample& sample) const noexcept {
-    const MarkerSensorParams& sensor = params_.sensors[sample.source];
+    const SensorParams& sensor = params_.sensors[sample.source];
     const Policy& policy = policies_[sample.source];
     if (!params_.noise.adapts()) return fuse_sighting(track.filter, sample, map_, sensor, policy);
     const double scale = track.noise.sensor(sample.source);
     Sample noisy = sample;
     noisy.payload.sighting = scaled(sample.payload.sighting, scale);
-    const MarkerSensorParams noisy_sensor = scaled(sensor, scale);
+    const SensorParams noisy_sensor = scaled(sensor, scale);
     const SightingReport report = fuse_sighting(track.filter, noisy, map_, noisy_sensor, policy);
-    learn(track, noisy.payload.sighting, noisy_sensor, report);
+    learn(track, report, [&](int c) {
+        const double value = noisy.payload.sighting.value[c];
+        return sensor_variance(noisy.payload.sighting, ComponentIndex(c), noisy_sensor,
+                               value - report.innovation[c]);
+    });
     return report;
 }
 
 /// What an innovation tells of the noise. That of a pose which is not confirmed tells of the pose.
-/// \param sighting, sensor as they were fused
+/// \param variance_of of the sensor's noise as it was fused, by component
 template <typename Scalar, int N>
-void Fixer<Scalar, N>::learn(Track& track, const Sighting& sighting,
-                             const MarkerSensorParams& sensor,
-                             const SightingReport& report) const noexcept {
+template <typename Variance>
+void Fixer<Scalar, N>::learn(Track& track, const SightingReport& report,
+                             const Variance& variance_of) const noexcept {
     if (!track.confirmed || std::isnan(report.nis)) return;
+    const bool tilts =
+        params_.tilt.any() && params_.sensors[report.sensor].measures == Measures::markers;
     each<3>([&](int c) {
-        if (std::isnan(sighting.value[c])) return;
+        if (std::isnan(report.sigma[c])) return;
         const double variance = report.sigma[c] * report.sigma[c];
         const double squared = report.innovation[c] * report.innovation[c] / variance;
-        const double sensor_share = sensor_variance(sighting, ComponentIndex(c), sensor,
-                                                    sighting.value[c] - report.innovation[c]) /
-                                    variance;
-        const bool by_tilt = c == kElevation && params_.tilt.any();
+        const double sensor_share = variance_of(c) / variance;
+        const bool by_tilt = tilts && c == kElevation;
         track.noise.learn(report.sensor, squared, sensor_share, by_tilt ? 0 : 1 - sensor_share);
     });
 }
@@ -157,7 +194,7 @@ void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int co
 template <typename Scalar, int N>
 void Fixer<Scalar, N>::reset(Track& track, const PoseReset& to) const noexcept {
     if (track.located) ++track.resets;
-    place(track, Pose<double>(to.pose), covariance_of(to));
+    place(track, Pose<double>(to.pose), symmetric_of(to.covariance));
 }
 
 /// What is known of the calibration stays, what was known of the pose does not.

@@ -20,9 +20,10 @@ bool is_motion(const Sample& sample) noexcept {
 }  // namespace
 
 template <typename Scalar, int N>
-Localizer<Scalar, N>::Localizer(const Params& params, MarkerMap map, Listener& listener)
+Localizer<Scalar, N>::Localizer(const Params& params, MarkerMap map, Listener& listener,
+                                WallMap walls)
     : tracker_(params),
-      fixer_(params, map),
+      fixer_(params, map, std::move(walls)),
       search_(params, std::move(map)),
       listener_(&listener),
       history_(static_cast<std::size_t>(params.history.capacity)) {
@@ -58,7 +59,7 @@ bool Localizer<Scalar, N>::add(const Sample& sample) noexcept {
 template <typename Scalar, int N>
 bool Localizer<Scalar, N>::refuse(const Sample& sample, Verdict verdict, double value,
                                   double limit) noexcept {
-    if (sample.stream == Stream::sighting) {
+    if (is_measurement(sample.stream)) {
         SightingReport report = blank_report(sample, verdict);
         report.value = value;
         report.limit = limit;
@@ -193,6 +194,12 @@ void Localizer<Scalar, N>::advance(Track& track, std::size_t from, std::size_t t
             reset(track, node);
             continue;
         }
+        if (node.sample.stream != Stream::sighting) {
+            fix(track, node);
+            const bool last = i + 1 == to || !same_frame(node.sample, history_[i + 1].sample);
+            if (last && fixer_.doubtful(track)) search(track, i);
+            continue;
+        }
         if (i >= frame_end) {
             seen = false;
             frame = i;
@@ -215,7 +222,7 @@ void Localizer<Scalar, N>::begin(Track& track, std::size_t from, std::size_t to)
         Node& node = history_[i];
         if (node.sample.stream == Stream::reset)
             reset(track, node);
-        else if (node.sample.stream == Stream::sighting)
+        else if (is_measurement(node.sample.stream))
             dismiss(node, Verdict::before_motion);
     }
     tracker_.begin(track, history_[to].sample);
@@ -247,9 +254,20 @@ std::size_t Localizer<Scalar, N>::recognise(const Track& track, std::size_t from
 template <typename Scalar, int N>
 void Localizer<Scalar, N>::correct(Track& track, Node& node, const Association& of) noexcept {
     node.evidence = fixer_.evidence(track, node.sample, search_);
-    SightingReport report = fixer_.sight(track, node.sample, of);
-    node.seen = report.verdict != Verdict::unknown_marker;
-    report.given_id = node.sample.payload.sighting.id;
+    SightingReport result = fixer_.sight(track, node.sample, of);
+    node.seen = result.verdict != Verdict::unknown_marker;
+    result.given_id = node.sample.payload.sighting.id;
+    report(node, result);
+}
+
+/// Fuses what was measured without markers.
+template <typename Scalar, int N>
+void Localizer<Scalar, N>::fix(Track& track, Node& node) noexcept {
+    report(node, fixer_.fix(track, node.sample));
+}
+
+template <typename Scalar, int N>
+void Localizer<Scalar, N>::report(Node& node, SightingReport report) noexcept {
     report.revision = node.revision++;
     listener_->on_sighting(report);
     settle(node, report.verdict);
@@ -277,11 +295,7 @@ void Localizer<Scalar, N>::search(Track& track, std::size_t newest) noexcept {
 /// Says no to a sample that has a place in the history.
 template <typename Scalar, int N>
 void Localizer<Scalar, N>::dismiss(Node& node, Verdict verdict) noexcept {
-    if (node.sample.stream == Stream::sighting) {
-        SightingReport report = blank_report(node.sample, verdict);
-        report.revision = node.revision++;
-        listener_->on_sighting(report);
-    }
+    if (is_measurement(node.sample.stream)) return report(node, blank_report(node.sample, verdict));
     settle(node, verdict);
 }
 

@@ -25,7 +25,7 @@ template <typename Scalar, typename... Components>
 void expect_as_by_hand(const Vector<double, 3>& measured, const std::vector<int>& which,
                        const Components&... components) {
     constexpr int M = sizeof...(Components);
-    const MarkerSensorParams sensor;
+    const SensorParams sensor;
     const double sigmas[] = {sensor.sigma_bearing_rad, sensor.sigma_elevation_rad,
                              sensor.sigma_range_m};
     auto by_hand = somewhere<Scalar>();
@@ -84,7 +84,7 @@ TYPED_TEST(FuseSightingTest, WrapsABearingAcrossTheBack) {
         view(filter.state().template cast<double>(), behind.markers()[0]);
     const auto report =
         fuse_sighting(filter, sighting_at(0, 1, {seen[0] - 0.01 - 2 * kPi<double>, kNan, kNan}),
-                      behind, MarkerSensorParams{}, Policy{});
+                      behind, SensorParams{}, Policy{});
     EXPECT_NEAR(report.innovation[0], -0.01, 1e-5);
 }
 
@@ -93,7 +93,7 @@ TYPED_TEST(FuseSightingTest, ReportsWhichSightingItIsOf) {
     Sample sample = sighting_at(-77, 5, {0.1, kNan, kNan}, 9);
     sample.seq = 13;
     sample.source = 2;
-    const auto report = fuse_sighting(filter, sample, kMap, MarkerSensorParams{}, Policy{});
+    const auto report = fuse_sighting(filter, sample, kMap, SensorParams{}, Policy{});
     EXPECT_EQ(report.utime, -77);
     EXPECT_EQ(report.frame_seq, 13);
     EXPECT_EQ(report.index, 9);
@@ -105,7 +105,7 @@ TYPED_TEST(FuseSightingTest, ReportsTheRobustWeight) {
     auto filter = somewhere<TypeParam>();
     const Policy policy = Policy::make(Fusion::student_t, 0.001, 4);
     const auto report = fuse_sighting(filter, sighting_at(0, 5, {1.5, kNan, kNan}), kMap,
-                                      MarkerSensorParams{}, policy);
+                                      SensorParams{}, policy);
     EXPECT_EQ(report.verdict, Verdict::fused);
     EXPECT_NEAR(report.weight, 5 / (4 + report.nis), 1e-5);
     EXPECT_LT(report.weight, 0.5);

@@ -30,7 +30,7 @@ TEST(ParamsTest, CorrectNothingByDefault) {
     EXPECT_EQ(params.distance_scale.initial, 1);
     EXPECT_EQ(params.rotation_scale.initial, 1);
     EXPECT_EQ(params.motion.slip_angle_rad, 0);
-    for (const MarkerSensorParams& sensor : params.sensors) {
+    for (const SensorParams& sensor : params.sensors) {
         EXPECT_EQ(sensor.range_scale, 1);
         EXPECT_EQ(sensor.range_offset_m, 0);
         EXPECT_EQ(sensor.x_m, 0);

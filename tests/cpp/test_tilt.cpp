@@ -20,8 +20,8 @@ TEST(TiltTest, NoseUpLowersWhatIsAheadAndLeftSideUpWhatIsOnTheLeft) {
 
 const Marker kMarker{1, 3, -2, 2.5, 0};
 
-MarkerSensorParams sensor_on_a_mast() {
-    MarkerSensorParams sensor;
+SensorParams sensor_on_a_mast() {
+    SensorParams sensor;
     sensor.x_m = 0.3;
     sensor.y_m = 0.1;
     sensor.z_m = 0.8;
@@ -49,7 +49,7 @@ Vector<double, 8> somewhere(Draw& draw) {
 
 /// The sensor's own yaw does not matter to pitch and roll.
 Point3 seen_from(const Vector<double, 8>& x, double pitch, double roll) {
-    const MarkerSensorParams sensor = sensor_on_a_mast();
+    const SensorParams sensor = sensor_on_a_mast();
     Point3 level = view(x.head<3>(), kMarker, sensor);
     level[0] += sensor.yaw_rad;
     Point3 seen = tilted(level, pitch, roll);

@@ -14,12 +14,15 @@ using AnyLocalizer =
                  Localizer<double, kTiltedStates>>;
 
 [[nodiscard]] inline AnyLocalizer make_localizer(const Params& params, MarkerMap map,
-                                                 Listener& listener) {
+                                                 WallMap walls, Listener& listener) {
     if (params.tilt.any())
-        return AnyLocalizer(std::in_place_index<2>, params, std::move(map), listener);
+        return AnyLocalizer(std::in_place_index<2>, params, std::move(map), listener,
+                            std::move(walls));
     if (params.calibrates())
-        return AnyLocalizer(std::in_place_index<1>, params, std::move(map), listener);
-    return AnyLocalizer(std::in_place_index<0>, params, std::move(map), listener);
+        return AnyLocalizer(std::in_place_index<1>, params, std::move(map), listener,
+                            std::move(walls));
+    return AnyLocalizer(std::in_place_index<0>, params, std::move(map), listener,
+                            std::move(walls));
 }
 
 }  // namespace pilotage

@@ -50,7 +50,7 @@ class Associator {
     /// \param tilt_variance by which the body's tilt adds to that of elevations [rad^2]
     /// \param stated_scale on the sigmas that sightings state; those of `sensor` hold as they are
     void resolve(const Pose<Scalar>& robot, const Matrix<Scalar, 3>& covariance,
-                 const MarkerMap& map, const MarkerSensorParams& sensor, const Policy& policy,
+                 const MarkerMap& map, const SensorParams& sensor, const Policy& policy,
                  Scalar tilt_variance = 0, double stated_scale = 1) noexcept;
 
     /// Of the i-th sighting added.

@@ -13,8 +13,8 @@ namespace pilotage {
 inline constexpr double kFarthest = 1e7;  ///< m or rad: no pose is farther off
 /// m^2 and rad^2: of more, rounding would leave negative variances behind.
 inline constexpr double kUnsurest = 1e9, kUnsurestHeading = 100;
-/// The covariance of (x, y, heading) that a reset states.
-[[nodiscard]] Matrix<double, 3> covariance_of(const PoseReset& reset) noexcept;
+/// The covariance of (x, y, heading) that a sample states as (xx, yx, yy, hx, hy, hh).
+[[nodiscard]] Matrix<double, 3> symmetric_of(const double (&lower)[6]) noexcept;
 
 /// Whether a symmetric matrix from outside can be a covariance, but for rounding.
 template <int N>

@@ -5,6 +5,7 @@
 #include "pilotage/association.hpp"
 #include "pilotage/search/pose_search.hpp"
 #include "pilotage/track.hpp"
+#include "pilotage/wall_map.hpp"
 
 namespace pilotage {
 
@@ -14,7 +15,7 @@ class Fixer {
    public:
     using Track = pilotage::Track<Scalar, N>;
 
-    Fixer(const Params& params, MarkerMap map);
+    Fixer(const Params& params, MarkerMap map, WallMap walls);
 
     /// Finds which markers a gathered frame of a sensor is of.
     void recognise(const Track& track, int sensor, Associator<Scalar>& frame) const noexcept;
@@ -22,6 +23,9 @@ class Fixer {
     /// Fuses a sighting as one of the marker that was found for it, if there is a pose.
     [[nodiscard]] SightingReport sight(Track& track, const Sample& sample,
                                        const Association& of) const noexcept;
+
+    /// Fuses what was measured without a marker. Where there is no pose, a whole pose is one.
+    [[nodiscard]] SightingReport fix(Track& track, const Sample& sample) const noexcept;
 
     /// A sighting just made, as a search wants it.
     /// \pre `track` is as it was before the sighting was fused
@@ -45,13 +49,17 @@ class Fixer {
 
    private:
     [[nodiscard]] SightingReport fuse(Track& track, const Sample& sample) const noexcept;
-    void learn(Track& track, const Sighting& sighting, const MarkerSensorParams& sensor,
-               const SightingReport& report) const noexcept;
+    void follow(Track& track, const Pose<double>& odometry,
+                const SightingReport& report) const noexcept;
+    template <typename Variance>
+    void learn(Track& track, const SightingReport& report,
+               const Variance& variance_of) const noexcept;
     void place(Track& track, const Pose<double>& pose,
                const Matrix<double, 3>& covariance) const noexcept;
 
     Params params_;
     MarkerMap map_;
+    WallMap walls_;
     Policy policies_[Params::kMaxSensors];
 };
 

@@ -3,40 +3,16 @@
 /// One sighting into the filter, and what became of it.
 
 #include <cmath>
-#include <limits>
 
 #include "pilotage/filter/ekf.hpp"
 #include "pilotage/held_sighting.hpp"
 #include "pilotage/marker_map.hpp"
 #include "pilotage/params.hpp"
 #include "pilotage/samples.hpp"
+#include "pilotage/sighting_report.hpp"
 #include "pilotage/tilt.hpp"
-#include "pilotage/verdict.hpp"
 
 namespace pilotage {
-
-/// A report that says nothing yet but which sighting it is of.
-[[nodiscard]] inline SightingReport blank_report(const Sample& sample, Verdict verdict) noexcept {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    int dof = 0;
-    each<3>([&](int c) { dof += std::isnan(sample.payload.sighting.value[c]) ? 0 : 1; });
-    return {sample.utime,
-            sample.seq,
-            0,
-            sample.payload.sighting.id,
-            sample.payload.sighting.id,
-            sample.index,
-            sample.source,
-            verdict,
-            false,
-            dof,
-            {nan, nan, nan},
-            {nan, nan, nan},
-            nan,
-            0,
-            nan,
-            nan};
-}
 
 /// Whether the first component bends so much within the pose's own uncertainty that its variance
 /// grows by a fifth: on a close pass.
@@ -62,39 +38,11 @@ template <typename Scalar, int N, typename... Components>
     return result;
 }
 
-/// Writes down what became of these components.
-template <typename Scalar, typename... Components>
-[[gnu::always_inline]] inline void describe_update(
-    const UpdateReport<Scalar, int(sizeof...(Components))>& update, const Policy& policy,
-    SightingReport& report) noexcept {
-    constexpr int M = sizeof...(Components);
-    constexpr ComponentIndex which[] = {Components::kIndex...};
-    each<M>([&](int i) {
-        report.innovation[which[i]] = double(update.innovation[i]);
-        report.sigma[which[i]] = std::sqrt(double(update.s(i, i)));
-    });
-    report.nis = double(update.nis);
-    report.agrees = report.nis <= policy.gate_nis[M - 1];
-    report.weight = double(update.weight);
-    switch (update.fault) {
-        case UpdateFault::none:
-            report.verdict = Verdict::fused;
-            break;
-        case UpdateFault::gated:
-            report.verdict = Verdict::gate;
-            report.value = report.nis;
-            report.limit = policy.gate_nis[M - 1];
-            break;
-        default:
-            report.verdict = Verdict::numeric;
-    }
-}
-
 /// Fuses the given components as one vector.
 /// \tparam kHold see Ekf::correct
 template <bool kHold, typename Scalar, int N, typename... Components>
 [[gnu::flatten]] void fuse_components(Ekf<Scalar, N>& filter, const Marker& marker,
-                                      const Sighting& sighting, const MarkerSensorParams& sensor,
+                                      const Sighting& sighting, const SensorParams& sensor,
                                       const Policy& policy, SightingReport& report,
                                       const Components&... components) noexcept {
     constexpr int M = sizeof...(Components);
@@ -112,16 +60,16 @@ template <bool kHold, typename Scalar, int N, typename... Components>
     }
     if constexpr (N == kTiltedStates) {
         const auto tilted = with_tilt<Scalar, Components...>(held, filter.state());
-        describe_update<Scalar, Components...>(
-            filter.correct(tilted.innovation, tilted.jacobian, held.noise(), policy, kHold), policy,
-            report);
+        describe_update(
+            filter.correct(tilted.innovation, tilted.jacobian, held.noise(), policy, kHold), which,
+            policy, report);
     } else {
         const auto update =
             held.survey_variance > 0
                 ? filter.correct(held.innovation, held.jacobian, held.noise(), policy, kHold)
                 : filter.correct_independent(held.innovation, held.jacobian, held.variances, policy,
                                              kHold);
-        describe_update<Scalar, Components...>(update, policy, report);
+        describe_update(update, which, policy, report);
     }
 }
 
@@ -129,7 +77,7 @@ template <bool kHold, typename Scalar, int N, typename... Components>
 /// whether it has any
 template <typename Scalar, typename Visit>
 [[gnu::always_inline]] inline bool with_components(const Sighting& sighting,
-                                                   const MarkerSensorParams& sensor,
+                                                   const SensorParams& sensor,
                                                    const Visit& visit) noexcept {
     const Bearing<Scalar> bearing{};
     const Elevation<Scalar> elevation{};
@@ -161,7 +109,7 @@ template <typename Scalar, typename Visit>
 template <typename Scalar, int N>
 [[gnu::noinline, gnu::cold]] void fuse_apart(Ekf<Scalar, N>& filter, const Marker& marker,
                                              const Sighting& sighting,
-                                             const MarkerSensorParams& sensor, const Policy& policy,
+                                             const SensorParams& sensor, const Policy& policy,
                                              SightingReport& report) noexcept {
     const auto fuse = [&](auto hold, const Sighting& part) {
         report.value = report.limit = NAN;
@@ -184,7 +132,7 @@ template <typename Scalar, int N>
 /// \pre the sighting's values are finite or NaN
 template <typename Scalar, int N>
 [[nodiscard]] SightingReport fuse_sighting(Ekf<Scalar, N>& filter, const Sample& sample,
-                                           const MarkerMap& map, const MarkerSensorParams& sensor,
+                                           const MarkerMap& map, const SensorParams& sensor,
                                            const Policy& policy) noexcept {
     const Sighting& sighting = sample.payload.sighting;
     SightingReport report = blank_report(sample, Verdict::unknown_marker);

@@ -27,7 +27,7 @@ namespace pilotage {
 /// grows with them.
 template <typename Scalar>
 [[nodiscard]] Scalar sensor_variance(const Sighting& sighting, ComponentIndex component,
-                                     const MarkerSensorParams& sensor, Scalar predicted) noexcept {
+                                     const SensorParams& sensor, Scalar predicted) noexcept {
     const double configured[] = {sensor.sigma_bearing_rad, sensor.sigma_elevation_rad,
                                  sensor.sigma_range_m};
     const double stated = sighting.sigma[component];
@@ -62,7 +62,7 @@ struct HeldSighting {
 template <typename Scalar, typename... Components>
 [[nodiscard, gnu::always_inline]] inline HeldSighting<Scalar, sizeof...(Components)> hold_against(
     const Pose<Scalar>& robot, const Marker& marker, const Sighting& sighting,
-    const MarkerSensorParams& sensor, const Components&... components) noexcept {
+    const SensorParams& sensor, const Components&... components) noexcept {
     constexpr int M = sizeof...(Components);
     constexpr ComponentIndex which[] = {Components::kIndex...};
     using Model = Mounted<MarkerSighting<Scalar, Components...>, Scalar>;

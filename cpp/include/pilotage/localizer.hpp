@@ -49,7 +49,7 @@ template <typename Scalar, int N>
 class Localizer {
    public:
     /// \param listener outlives the localizer
-    Localizer(const Params& params, MarkerMap map, Listener& listener);
+    Localizer(const Params& params, MarkerMap map, Listener& listener, WallMap walls = {});
 
     /// Takes a sample; sightings wait for the motion sample after them.
     /// \return whether the newest motion sample is a newer one than before: time to publish the
@@ -117,6 +117,8 @@ class Localizer {
     [[nodiscard]] std::size_t recognise(const Track& track, std::size_t from,
                                         std::size_t to) noexcept;
     void correct(Track& track, Node& node, const Association& of) noexcept;
+    void fix(Track& track, Node& node) noexcept;
+    void report(Node& node, SightingReport report) noexcept;
     void reset(Track& track, Node& node) noexcept;
     void search(Track& track, std::size_t newest) noexcept;
     void dismiss(Node& node, Verdict verdict) noexcept;

@@ -66,7 +66,7 @@ class NoiseScale {
 }
 
 /// A sensor whose sigmas are so many times as large.
-[[nodiscard]] inline MarkerSensorParams scaled(MarkerSensorParams sensor, double scale) noexcept {
+[[nodiscard]] inline SensorParams scaled(SensorParams sensor, double scale) noexcept {
     for (double* sigma : {&sensor.sigma_bearing_rad, &sensor.sigma_elevation_rad,
                           &sensor.sigma_range_m, &sensor.sigma_range_per_m})
         *sigma *= scale;

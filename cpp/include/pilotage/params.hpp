@@ -21,6 +21,12 @@ enum class HeadingSource : unsigned char {
 /// Which message carries the motion.
 enum class MotionSource : unsigned char { encoders, velocity };
 
+/// How models are made linear.
+enum class Filter : unsigned char {
+    ekf,  ///< by their Jacobians at the estimate
+    ukf,  ///< by their values at sigma points
+};
+
 struct WheelParams {
     double left_m_per_tick =
         0.001;  ///< negative where the encoder counts down when driving forward
@@ -75,8 +81,16 @@ struct TiltParams {
     }
 };
 
-/// One camera or scanner: where it sits and how well it sees.
-struct MarkerSensorParams {
+/// What a sensor measures.
+enum class Measures : unsigned char {
+    markers,  ///< bearing, elevation and range of them, or some of these
+    pose,     ///< its own position, its own heading, or both
+    walls,    ///< range along beams to the walls of the map
+};
+
+/// One sensor: where it sits and how well it measures.
+struct SensorParams {
+    Measures measures = Measures::markers;
     double x_m = 0, y_m = 0, z_m = 0, yaw_rad = 0;  ///< mounting in the robot frame
     double sigma_bearing_rad = 0.02;
     double sigma_elevation_rad = 0.02;
@@ -84,6 +98,8 @@ struct MarkerSensorParams {
     double sigma_range_per_m = 0;  ///< added to sigma_range_m in quadrature, times the range
     double range_scale = 1;        ///< reported over true range
     double range_offset_m = 0;     ///< reported at range zero
+    double sigma_position_m = 0.1;  ///< of x and of y
+    double sigma_heading_rad = 0.05;
     double min_distance_m = 0.05;  ///< nearer markers have no usable direction
     Fusion fusion = Fusion::student_t;
     double gate_false_reject = 0.001;
@@ -114,6 +130,7 @@ struct HistoryParams {
 struct Params {
     static constexpr int kMaxSensors = 8;
 
+    Filter filter = Filter::ekf;
     MotionParams motion;
     WheelParams wheels;
     NoiseParams noise;
@@ -125,7 +142,7 @@ struct Params {
     StatusParams status;
     HistoryParams history;
     int sensor_count = 0;
-    std::array<MarkerSensorParams, kMaxSensors> sensors{};
+    std::array<SensorParams, kMaxSensors> sensors{};
 
     /// True where any calibration state may move, so that the filter needs six states.
     [[nodiscard]] bool calibrates() const noexcept {

@@ -8,9 +8,9 @@
 namespace pilotage {
 
 /// Kinds of samples, in the order in which samples of equal time are processed: a turn is known
-/// before the motion that uses it, and a sighting at a motion sample's time sees the pose at its
-/// end.
-enum class Stream : std::uint8_t { reset, gyro, motion, sighting };
+/// before the motion that uses it, and what is measured at a motion sample's time sees the pose at
+/// its end.
+enum class Stream : std::uint8_t { reset, gyro, motion, sighting, fix, beam };
 
 /// Absolute wheel counts [ticks].
 struct EncoderTicks {
@@ -42,6 +42,18 @@ struct Sighting {
     std::int32_t label;
 };
 
+/// The pose of a sensor as something else than markers tells it, or a part: (x [m], y [m], heading
+/// [rad]), NaN where not measured. Covariance as (xx, yx, yy, hx, hy, hh); NaN: as configured.
+struct Fix {
+    double value[3];
+    double covariance[6];
+};
+
+/// Range to a wall along a beam; NaN sigma: as configured.
+struct Beam {
+    double angle_rad, range_m, sigma_m;
+};
+
 /// A pose (x [m], y [m], heading [rad]) given from outside, with its covariance as
 /// (xx, yx, yy, hx, hy, hh).
 struct PoseReset {
@@ -54,13 +66,15 @@ struct Sample {
     std::int64_t utime;  ///< us, after the time policy
     std::int32_t seq;    ///< sender's count
     Stream stream;
-    std::uint8_t source;  ///< sensor number, for sightings
-    std::uint16_t index;  ///< position in its frame, for sightings
+    std::uint8_t source;  ///< sensor number, for sightings, fixes and beams
+    std::uint16_t index;  ///< position in its message, for the same
     union Payload {
         EncoderTicks ticks;
         GyroRate gyro;
         BodyVelocity velocity;
         Sighting sighting;
+        Fix fix;
+        Beam beam;
         PoseReset reset;
     } payload;
 
@@ -92,9 +106,14 @@ struct Sample {
     }
 };
 
-/// Whether two sightings were seen at once by one sensor.
+/// Whether it is something that a sensor measured of the pose.
+[[nodiscard]] constexpr bool is_measurement(Stream stream) noexcept {
+    return stream == Stream::sighting || stream == Stream::fix || stream == Stream::beam;
+}
+
+/// Whether two were measured at once by one sensor.
 [[nodiscard]] inline bool same_frame(const Sample& a, const Sample& b) noexcept {
-    return a.utime == b.utime && a.stream == Stream::sighting && b.stream == Stream::sighting &&
+    return a.utime == b.utime && a.stream == b.stream && is_measurement(a.stream) &&
            a.seq == b.seq && a.source == b.source;
 }
 

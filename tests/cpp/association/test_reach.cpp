@@ -17,7 +17,7 @@ TYPED_TEST(ReachTest, HoldsAllThatTheGateLetsIn) {
     Draw draw(11);
     int held = 0, let_in = 0, total = 0;
     for (int round = 0; round < 20000; ++round) {
-        MarkerSensorParams sensor;
+        SensorParams sensor;
         sensor.x_m = draw.uniform(-1, 1);
         sensor.y_m = draw.uniform(-1, 1);
         sensor.yaw_rad = draw.uniform(-3, 3);

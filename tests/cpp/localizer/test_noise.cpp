@@ -64,7 +64,7 @@ TEST_P(NoiseTest, GrowsWithTimeUntilTheRobotIsSeenToStand) {
 }
 
 /// With a certain pose S is R.
-SightingReport report_of(const Kind& kind, const MarkerSensorParams& sensor, double survey_sigma,
+SightingReport report_of(const Kind& kind, const SensorParams& sensor, double survey_sigma,
                          const Vector<double, 3>& measured) {
     Params params = plain_params();
     params.initial.sigma_position_m = params.initial.sigma_heading_rad = 0;
@@ -77,7 +77,7 @@ SightingReport report_of(const Kind& kind, const MarkerSensorParams& sensor, dou
 }
 
 TEST_P(NoiseTest, OfASightingIsTheSensorsWhereItStatesNone) {
-    MarkerSensorParams sensor;
+    SensorParams sensor;
     sensor.sigma_bearing_rad = 0.03;
     sensor.sigma_elevation_rad = 0.04;
     sensor.sigma_range_m = 0.5;
@@ -89,7 +89,7 @@ TEST_P(NoiseTest, OfASightingIsTheSensorsWhereItStatesNone) {
 }
 
 TEST_P(NoiseTest, OfARangeGrowsWithTheRange) {
-    MarkerSensorParams sensor;
+    SensorParams sensor;
     sensor.sigma_range_m = 0.3;
     sensor.sigma_range_per_m = 0.1;
     const SightingReport report = report_of(GetParam(), sensor, 0, {kNan, kNan, 6});
@@ -99,7 +99,7 @@ TEST_P(NoiseTest, OfARangeGrowsWithTheRange) {
 }
 
 TEST_P(NoiseTest, OfTheSurveyEntersBearingAndRange) {
-    MarkerSensorParams sensor;
+    SensorParams sensor;
     sensor.sigma_bearing_rad = 0.03;
     sensor.sigma_range_m = 0.4;
     const SightingReport report = report_of(GetParam(), sensor, 0.3, {0.3, kNan, 6});
@@ -124,7 +124,7 @@ TEST_P(NoiseTest, OfTheSightingItselfComesFirst) {
 }
 
 TEST_P(NoiseTest, ARangeIsScaledAndOffset) {
-    MarkerSensorParams sensor;
+    SensorParams sensor;
     sensor.range_scale = 1.07;
     sensor.range_offset_m = 0.12;
     const double reported = 1.07 * std::sqrt(40) + 0.12;

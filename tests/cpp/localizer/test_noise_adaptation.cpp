@@ -57,7 +57,7 @@ struct NoisyCircle {
    private:
     void look(const MarkerMap& map, const Pose<double>& truth, int i, Draw& draw,
               std::vector<Sample>& samples) const {
-        const MarkerSensorParams s;
+        const SensorParams s;
         const Vector<double, 3> sigma(s.sigma_bearing_rad, s.sigma_elevation_rad, s.sigma_range_m);
         for (std::uint16_t k = 0; k < 3; ++k) {
             const auto marker = static_cast<std::size_t>(i / 5 + 3 * k) % map.markers().size();

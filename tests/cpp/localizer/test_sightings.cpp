@@ -16,7 +16,7 @@ Params camera_params() {
     Params params = plain_params();
     params.initial.sigma_position_m = 0.2;
     params.motion.max_gap_s = 1;
-    MarkerSensorParams& camera = params.sensors[0];
+    SensorParams& camera = params.sensors[0];
     camera.x_m = 0.3;
     camera.y_m = -0.1;
     camera.z_m = 0.9;
@@ -29,7 +29,7 @@ Params camera_params() {
 template <typename Scalar, int N>
 void expect_hand_made(const Kind& kind, std::int64_t seen_at) {
     const Params params = camera_params();
-    const MarkerSensorParams& camera = params.sensors[0];
+    const SensorParams& camera = params.sensors[0];
     auto u = from_wheels(Scalar(0.2), Scalar(0.3), Scalar(1), Scalar(0.5), params.noise);
     u.process_noise = pose_process_noise(u, params.noise);
     const auto fraction = Scalar(static_cast<double>(seen_at) / kSecond);

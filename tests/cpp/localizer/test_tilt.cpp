@@ -22,7 +22,7 @@ TEST(TiltedFrameTest, WithoutACorrelationTimeIsANoiseThatAFrameHasInCommon) {
     constexpr double tiny = 1e-6;
     Params params;
     params.tilt = {0.02, 0.03, 0};
-    MarkerSensorParams sensor;
+    SensorParams sensor;
     sensor.z_m = 0.8;
     sensor.yaw_rad = 0.7;
     const MarkerMap map(kPosts);

@@ -17,7 +17,7 @@ const Pose<double> kRobot(1, 2, 0.5);
 
 Explanation explained(const Vector<double, 3>& z, int id, const Pose<double>& robot = kRobot,
                       double drift_m2 = 0, double drift_rad2 = 0,
-                      const MarkerSensorParams& sensor = {}) {
+                      const SensorParams& sensor = {}) {
     const Sighting sighting{{z[0], z[1], z[2]}, {kNan, kNan, kNan}, id, -1};
     const View view = view_of(sighting, sensor, kYard, kSite, {0, 0, 0}, drift_m2, drift_rad2);
     return explain(view, Frame(robot), kYard);
@@ -36,7 +36,7 @@ TEST(LikelihoodTest, OfBearingsIntegratesToOneWithAndWithoutAnId) {
 }
 
 TEST(LikelihoodTest, OfAnExactSightingIsTheGaussiansPeakAndTheClutter) {
-    const MarkerSensorParams sensor;
+    const SensorParams sensor;
     const Vector<double, 3> z = view(kRobot, kYard.markers()[4], sensor);
     const double peak = 1 / (std::pow(2 * kPi<double>, 1.5) * sensor.sigma_bearing_rad *
                              sensor.sigma_elevation_rad * sensor.sigma_range_m);
@@ -68,7 +68,7 @@ TEST(LikelihoodTest, DriftWidensWhatItReaches) {
     const Vector<double, 3> z = view(kRobot, marker);
     const double ground = std::hypot(marker.x_m - kRobot[kX], marker.y_m - kRobot[kY]);
     const Match match = explained(only(z, true, false, true), 4, kRobot, 0.01, 0.0004).match;
-    const MarkerSensorParams sensor;
+    const SensorParams sensor;
     const double bearing =
         sensor.sigma_bearing_rad * sensor.sigma_bearing_rad + 0.0004 + 0.01 / (ground * ground);
     ASSERT_EQ(match.count, 2);
@@ -81,12 +81,12 @@ TEST(LikelihoodTest, DriftWidensWhatItReaches) {
 
 TEST(LikelihoodTest, AMarkerThatTheMapDoesNotKnowSaysNothing) {
     const Sighting sighting{{0.1, kNan, kNan}, {kNan, kNan, kNan}, 77, -1};
-    const MarkerSensorParams as_usual;
+    const SensorParams as_usual;
     EXPECT_EQ(view_of(sighting, as_usual, kYard, kSite).measured, 0);
 }
 
 TEST(LikelihoodTest, TheDerivativesAreThoseOfTheFittedComponents) {
-    MarkerSensorParams sensor;
+    SensorParams sensor;
     sensor.x_m = 0.4;
     sensor.y_m = -0.3;
     sensor.yaw_rad = 1;
@@ -106,7 +106,7 @@ TEST(LikelihoodTest, TheDerivativesAreThoseOfTheFittedComponents) {
 
 TEST(LikelihoodTest, WhatIsNotNearAddsNothingThatCounts) {
     Draw draw(1);
-    const MarkerSensorParams as_usual;
+    const SensorParams as_usual;
     for (int run = 0; run < 2000; ++run) {
         const auto id = static_cast<int>(draw.uniform(0, 10));
         const Vector<double, 3> n = draw.normal<double, 3>() * 8;

@@ -12,7 +12,7 @@ namespace {
 
 const MarkerMap kYard = yard();
 const Site kSite(kYard);
-const MarkerSensorParams kSensor;
+const SensorParams kSensor;
 const Pose<double> kRobot(1, 2, 0.5);
 
 /// What the robot sees of the first markers, each with another mix of components.

@@ -138,7 +138,7 @@ double nees(double distance_m, Fusion fusion) {
     constexpr int kRuns = 4000;
     const Policy policy = Policy::make(fusion, 0.001, 4);
     const MarkerMap map({{1, distance_m, 0, 0, 0}});
-    MarkerSensorParams sensor;
+    SensorParams sensor;
     sensor.sigma_bearing_rad = 0.02;
     Draw draw(4);
     double sum = 0;
@@ -171,7 +171,7 @@ PILOTAGE_SUITE(CloseSightingTest);
 template <typename Scalar>
 void expect_variances(double distance_m, Fusion fusion, bool widened) {
     const MarkerMap map({{1, distance_m, 0.1, 0.4, 0}});
-    const MarkerSensorParams sensor;
+    const SensorParams sensor;
     const Vector<double, 3> seen = view({0, 0, 0}, map.markers()[0]);
     auto filter = prior<Scalar>(), by_hand = filter;
     const auto report =

@@ -14,7 +14,7 @@ struct Scene {
     MarkerMap map;
     Pose<double> pose = {0, 0, 0};
     Vector<double, 3> sigma = {0.05, 0.05, 0.01};  ///< of the pose
-    MarkerSensorParams sensor{};
+    SensorParams sensor{};
     Policy policy = Policy::make(Fusion::student_t, 0.001, 4);
     std::vector<Sighting> frame{};
     int nodes = 0;  ///< of the last search

@@ -34,7 +34,7 @@ namespace pilotage::test {
 /// `odometry` being its frame of dead reckoning.
 [[nodiscard]] inline Evidence exact_evidence(const Pose<double>& then, const Marker& marker,
                                              const Vector<double, 3>& components, int id,
-                                             const MarkerSensorParams& sensor = {},
+                                             const SensorParams& sensor = {},
                                              const Pose<double>& odometry = {3, -4, 2}) {
     Vector<double, 3> z = view(then, marker, sensor);
     for (int c = 0; c < 3; ++c)

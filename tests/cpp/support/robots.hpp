@@ -51,7 +51,7 @@ inline constexpr std::int64_t kPeriod = 20'000;  // of the motion samples, us
 /// What a sensor at a pose of the robot sees of a marker: (bearing, elevation,
 /// range).
 [[nodiscard]] inline Vector<double, 3> view(const Pose<double>& robot, const Marker& marker,
-                                            const MarkerSensorParams& sensor = {}) {
+                                            const SensorParams& sensor = {}) {
     const double c = std::cos(robot[kHeading]), s = std::sin(robot[kHeading]);
     const double dx = marker.x_m - robot[kX] - c * sensor.x_m + s * sensor.y_m;
     const double dy = marker.y_m - robot[kY] - s * sensor.x_m - c * sensor.y_m;

@@ -44,7 +44,7 @@ class SightingDrive {
     SightingDrive(const MarkerMap& map, const Sight& sight, unsigned seed)
         : map_(map), sight_(sight), draw_(seed) {
         params_.sensor_count = 1;
-        MarkerSensorParams& sensor = params_.sensors[0];
+        SensorParams& sensor = params_.sensors[0];
         sensor.x_m = 0.3;
         sensor.y_m = -0.1;
         sensor.z_m = 1.2;
@@ -100,7 +100,7 @@ class SightingDrive {
     }
 
     Evidence sighting_of(const Marker& of) {
-        const MarkerSensorParams& sensor = params_.sensors[0];
+        const SensorParams& sensor = params_.sensors[0];
         Vector<double, 3> z = view(truth_, of, sensor);
         const Vector<double, 3> n = draw_.normal<double, 3>();
         z += Vector<double, 3>(sensor.sigma_bearing_rad * n[0], sensor.sigma_elevation_rad * n[1],

@@ -72,7 +72,7 @@ template <typename Scalar>
 /// \param robot the pose before the frame
 template <typename Scalar>
 [[nodiscard]] Pairing<Scalar> pair_up(const Pose<Scalar>& robot, const Marker& marker,
-                                      const Sighting& sighting, const MarkerSensorParams& sensor,
+                                      const Sighting& sighting, const SensorParams& sensor,
                                       Scalar tilt_variance = 0) noexcept {
     constexpr double half_log_two_pi = 0.91893853320467274178;
     const Range<Scalar> range{Scalar(sensor.range_scale), Scalar(sensor.range_offset_m)};

@@ -19,7 +19,7 @@ struct SensorPlace {
 
     /// \param covariance of (x, y, heading)
     SensorPlace(const Pose<Scalar>& robot, const Matrix<Scalar, 3>& covariance,
-                const MarkerSensorParams& sensor) noexcept
+                const SensorParams& sensor) noexcept
         : direction_rad(robot[kHeading] + Scalar(sensor.yaw_rad)),
           direction_variance(covariance(kHeading, kHeading)) {
         const Scalar c = std::cos(robot[kHeading]), s = std::sin(robot[kHeading]);
@@ -37,7 +37,7 @@ template <typename Scalar>
 class Reach {
    public:
     Reach(const SensorPlace<Scalar>& place, const Sighting& sighting,
-          const MarkerSensorParams& sensor, const Policy& policy) noexcept
+          const SensorParams& sensor, const Policy& policy) noexcept
         : place_(&place), sighting_(&sighting), sensor_(&sensor) {
         const int components = measured_components(sighting);
         bearing_ = (components & 1 << kBearing) != 0;
@@ -80,7 +80,7 @@ class Reach {
    private:
     const SensorPlace<Scalar>* place_;
     const Sighting* sighting_;
-    const MarkerSensorParams* sensor_;
+    const SensorParams* sensor_;
     bool bearing_, range_;
     Scalar gate_nis_;
     Scalar cos_ = 0, sin_ = 0;  // of the sight's direction in frame map

@@ -31,7 +31,7 @@ inline constexpr double kClutter = 0.15;
 /// A sighting as seen from the robot now.
 struct View {
     const Sighting* sighting = nullptr;
-    const MarkerSensorParams* sensor = nullptr;
+    const SensorParams* sensor = nullptr;
     const Marker* marker = nullptr;  ///< the only one that it can be of; nullptr: several can be
     std::int32_t label = -1;         ///< that it must have, -1: any
     int measured = 0;                ///< bit ComponentIndex
@@ -56,7 +56,7 @@ struct View {
 
 /// \param relative pose of the robot at the sighting in the robot's frame of now
 /// \return a view that measures nothing if the sighting says nothing about the pose
-[[nodiscard]] inline View view_of(const Sighting& sighting, const MarkerSensorParams& sensor,
+[[nodiscard]] inline View view_of(const Sighting& sighting, const SensorParams& sensor,
                                   const MarkerMap& map, const Site& site,
                                   const Pose<double>& relative = {0, 0, 0}, double drift_m2 = 0,
                                   double drift_rad2 = 0) noexcept {
