@@ -39,6 +39,17 @@ struct CalibratedTransition {
     }
 };
 
+/// A as a matrix, whatever its structure.
+template <typename Structure>
+[[nodiscard]] auto dense(const Structure& a) noexcept {
+    return a.dense();
+}
+
+template <typename Scalar, int N>
+[[nodiscard]] const Matrix<Scalar, N>& dense(const Matrix<Scalar, N>& a) noexcept {
+    return a;
+}
+
 /// As the equation stands, for any A.
 template <typename Scalar, int N>
 [[nodiscard]] Matrix<Scalar, N> congruence(const Matrix<Scalar, N>& a,

@@ -64,6 +64,17 @@ Dual<T> sqrt(Dual<T> a) {
 }
 
 template <typename T>
+Dual<T> exp(Dual<T> a) {
+    const T power = std::exp(a.value);
+    return {power, a.slope * power};
+}
+
+template <typename T>
+Dual<T> log(Dual<T> a) {
+    return {std::log(a.value), a.slope / a.value};
+}
+
+template <typename T>
 Dual<T> abs(Dual<T> a) {
     return a.value < 0 ? -a : a;
 }

@@ -5,13 +5,22 @@
 #include <tuple>
 
 #include "pilotage/motion/calibrated.hpp"
+#include "pilotage/motion/constant_velocity.hpp"
 #include "pilotage/motion/differential_drive.hpp"
+#include "pilotage/motion/skid_steer.hpp"
 #include "pilotage/motion/unicycle.hpp"
+#include "pilotage/motion/velocity.hpp"
 #include "pilotage/sensing/bearing.hpp"
+#include "pilotage/sensing/direct.hpp"
+#include "pilotage/sensing/echo_envelope.hpp"
 #include "pilotage/sensing/elevation.hpp"
 #include "pilotage/sensing/marker_sighting.hpp"
 #include "pilotage/sensing/mounted.hpp"
 #include "pilotage/sensing/range.hpp"
+#include "pilotage/sensing/relative_position.hpp"
+#include "pilotage/sensing/wall_range.hpp"
+#include "pilotage/sensing/wheel_travel.hpp"
+#include "pilotage/sensing/world_bearing.hpp"
 
 namespace pilotage::test {
 
@@ -36,6 +45,26 @@ auto with_scalar(const Calibrated<Model, From>& calibrated) {
     return Calibrated<std::remove_const_t<decltype(model)>, To>{model, To(calibrated.gyro_time_s)};
 }
 
+template <typename To, typename From, Chord kChord>
+Velocity<To, kChord> with_scalar(const Velocity<From, kChord>& model) {
+    return {To(model.dt_s), To(model.slip_angle_rad)};
+}
+
+template <typename To, typename From>
+BodyVelocity<To> with_scalar(const BodyVelocity<From>& model) {
+    return {To(model.dt_s)};
+}
+
+template <typename To, typename From>
+SkidSteer<To> with_scalar(const SkidSteer<From>& model) {
+    return {model.coefficients.template cast<To>(), To(model.dt_s)};
+}
+
+template <typename To, typename From>
+ConstantVelocity<To> with_scalar(const ConstantVelocity<From>& model) {
+    return {To(model.dt_s)};
+}
+
 template <typename To, typename From>
 Bearing<To> with_scalar(const Bearing<From>&) {
     return {};
@@ -49,6 +78,36 @@ Elevation<To> with_scalar(const Elevation<From>&) {
 template <typename To, typename From>
 Range<To> with_scalar(const Range<From>& range) {
     return {To(range.scale), To(range.offset_m)};
+}
+
+template <typename To, typename From>
+WorldBearing<To> with_scalar(const WorldBearing<From>&) {
+    return {};
+}
+
+template <typename To, typename From, int First, int Count>
+Direct<To, First, Count> with_scalar(const Direct<From, First, Count>&) {
+    return {};
+}
+
+template <typename To, typename From>
+WheelTravel<To> with_scalar(const WheelTravel<From>& model) {
+    return {To(model.track_width_m), To(model.dt_s)};
+}
+
+template <typename To, typename From>
+RelativePosition<To> with_scalar(const RelativePosition<From>& model) {
+    return {model.marker_m.template cast<To>()};
+}
+
+template <typename To, typename From>
+WallRange<To> with_scalar(const WallRange<From>& model) {
+    return {model.walls, To(model.beam_rad), To(model.min_sine)};
+}
+
+template <typename To, typename From>
+EchoEnvelope<To> with_scalar(const EchoEnvelope<From>& model) {
+    return {To(model.time_s)};
 }
 
 template <typename To, typename From, typename... Components>

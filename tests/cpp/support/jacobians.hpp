@@ -55,7 +55,7 @@ void expect_jacobians(const Model& model, const Vector<Scalar, N>& x,
     Matrix<Scalar, N, Inputs> b = Matrix<Scalar, N, Inputs>::Zero();
     b.template topRows<decltype(step.b)::RowsAtCompileTime>() = step.b;
     expect_rows_close<Scalar, N, N>(
-        "A", step.a.dense(),
+        "A", dense(step.a),
         derivative([&](const Vector<D, N>& at) { return dual.linearize(at, fixed_u).next; }, x));
     expect_rows_close<Scalar, N, Inputs>(
         "B", b,

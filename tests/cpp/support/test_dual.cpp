@@ -16,6 +16,8 @@ TEST(Dual, KnowsTheDerivativesOfSchool) {
     EXPECT_DOUBLE_EQ(sin(x).slope, std::cos(0.7));
     EXPECT_DOUBLE_EQ(cos(x).slope, -std::sin(0.7));
     EXPECT_DOUBLE_EQ(sqrt(x).slope, 0.5 / std::sqrt(0.7));
+    EXPECT_DOUBLE_EQ(exp(x).slope, std::exp(0.7));
+    EXPECT_DOUBLE_EQ(log(x).slope, 1 / 0.7);
     EXPECT_DOUBLE_EQ(abs(-x).slope, 1);
     EXPECT_DOUBLE_EQ(atan(x).slope, 1 / (1 + 0.49));
     EXPECT_DOUBLE_EQ(atan2(x, Dual<double>(2)).slope, 2 / (4 + 0.49));

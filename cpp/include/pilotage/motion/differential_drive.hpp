@@ -10,6 +10,9 @@ namespace pilotage {
 
 /// u = (left travel [m], right travel [m]): heading from the wheels. Eqs. 16 to 20, with A of eq.
 /// 21; eq. 22 is the unicycle's B times the derivatives of eqs. 19 and 20.
+///
+/// Also eqs. 31 to 35 of Tamas et al. 2008 as they should read: the turn is the difference of the
+/// wheels over their distance, without the arctan, and the heading that of the middle of the turn.
 template <typename Scalar>
 struct DifferentialDrive {
     Scalar track_width_m;

@@ -18,10 +18,11 @@ struct MotionStep {
     Matrix<Scalar, 3, Inputs> b;
 };
 
-/// How long a chord belongs to a distance driven while turning.
+/// Which chord stands for a distance driven while turning.
 enum class Chord {
-    midpoint,  ///< the distance itself, eqs. 16 and 17 of Kiriy and Buehler 2002
+    midpoint,  ///< the distance along the mid heading, eqs. 16 and 17 of Kiriy and Buehler 2002
     arc,       ///< exact for constant rates, so a step cut in two ends where the whole step ends
+    tangent,   ///< the distance along the heading at the start: a move, then a turn on the spot
 };
 
 /// u = (distance [m], turn [rad]); eqs. 16 to 18 of Kiriy and Buehler 2002 for Chord::midpoint.
@@ -37,7 +38,9 @@ struct Unicycle {
         using std::cos;
         using std::sin;
         const Scalar distance = u[0], turn = u[1];
-        const Scalar direction = x[kHeading] + turn / 2 + slip_angle_rad;
+        const Scalar lean =
+            Scalar(kChord == Chord::tangent ? 0 : 0.5);  // of the chord, by the turn
+        const Scalar direction = x[kHeading] + turn * lean + slip_angle_rad;
         const Scalar c = cos(direction), s = sin(direction);
         Scalar chord = 1, chord_by_turn = 0;  // per metre driven
         if constexpr (kChord == Chord::arc) chord_of(turn, chord, chord_by_turn);
@@ -52,8 +55,8 @@ struct Unicycle {
         step.b(kX, 0) = forward_x;
         step.b(kY, 0) = forward_y;
         step.b(kHeading, 0) = 0;
-        step.b(kX, 1) = times(c, longer) + dy * Scalar(-0.5);
-        step.b(kY, 1) = times(s, longer) + dx * Scalar(0.5);
+        step.b(kX, 1) = times(c, longer) + times(dy, -lean);
+        step.b(kY, 1) = times(s, longer) + times(dx, lean);
         step.b(kHeading, 1) = 1;
         return step;
     }
@@ -77,5 +80,9 @@ struct Unicycle {
         }
     }
 };
+
+/// The assignment's robot: u = (d [m], a [rad]) is a straight move, then a turn on the spot.
+template <typename Scalar>
+using MoveAndTurn = Unicycle<Scalar, Chord::tangent>;
 
 }  // namespace pilotage

@@ -11,16 +11,14 @@
 
 #include "pilotage/angle.hpp"
 #include "pilotage/sensing/line_of_sight.hpp"
+#include "pilotage/sensing/measurement.hpp"
 
 namespace pilotage {
 
-/// h(x) with its Jacobian by the leading states.
-template <typename Scalar, int M, int States>
-struct Measurement {
-    Vector<Scalar, M> value;
-    Matrix<Scalar, M, States> jacobian;
+/// What a marker shows from a sensor pose, and where it is.
+template <typename Scalar, int M>
+struct SightedMarker : Measurement<Scalar, M, kPoseStates> {
     Scalar dx = 0, dy = 0;  ///< to the marker over ground [m]
-    bool defined = true;
 };
 
 /// Components measured together from a sensor pose; runnable example:
@@ -36,10 +34,10 @@ struct MarkerSighting {
     Scalar min_ground_m = Scalar(1e-6);  ///< nearer than this the marker has no usable direction
 
     /// Not defined nearer than min_ground_m.
-    [[nodiscard]] Measurement<Scalar, kComponents, kStates> linearize(
+    [[nodiscard]] SightedMarker<Scalar, kComponents> linearize(
         const Pose<Scalar>& sensor) const noexcept {
         const LineOfSight<Scalar> sight(sensor, marker_above_sensor);
-        Measurement<Scalar, kComponents, kStates> h;
+        SightedMarker<Scalar, kComponents> h;
         h.defined = sight.ground >= min_ground_m;
         h.dx = sight.dx;
         h.dy = sight.dy;
@@ -58,13 +56,13 @@ struct MarkerSighting {
 
    private:
     template <std::size_t... I>
-    void fill_rows(Measurement<Scalar, kComponents, kStates>& h, const LineOfSight<Scalar>& sight,
+    void fill_rows(SightedMarker<Scalar, kComponents>& h, const LineOfSight<Scalar>& sight,
                    std::index_sequence<I...>) const noexcept {
         (fill_row<static_cast<int>(I)>(h, std::get<I>(components).predict(sight)), ...);
     }
 
     template <int kRow>
-    static void fill_row(Measurement<Scalar, kComponents, kStates>& h,
+    static void fill_row(SightedMarker<Scalar, kComponents>& h,
                          const Prediction<Scalar>& p) noexcept {
         h.value[kRow] = p.value;
         h.jacobian(kRow, kX) = p.by_x;
