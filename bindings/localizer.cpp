@@ -41,7 +41,7 @@ class PyLocalizer {
    public:
     explicit PyLocalizer(const Config& config)
         : encoders_(config.params.motion.source == MotionSource::encoders),
-          localizer_(make_localizer(config.params, config.map, silence_)) {}
+          localizer_(make_localizer(config.params, config.map, config.walls, silence_)) {}
     PyLocalizer(const PyLocalizer&) = delete;
     PyLocalizer& operator=(const PyLocalizer&) = delete;
 

@@ -120,9 +120,10 @@ MarkerMap parse_map(const YAML::Node& list, const std::string& where) {
 /// One line of walls from corner to corner.
 void parse_line(const YAML::Node& line, const std::string& where, std::vector<Wall>& walls) {
     const auto is_point = [](const YAML::Node& n) { return n.IsSequence() && n.size() == 2; };
-    const bool points = line.IsSequence() && line.size() >= 2 &&
-                        std::all_of(line.begin(), line.end(), is_point);
-    if (!points) fail(where, line, "a line of walls is a list of corners: - [[0, 0], [5, 0], [5, 10]]");
+    const bool points =
+        line.IsSequence() && line.size() >= 2 && std::all_of(line.begin(), line.end(), is_point);
+    if (!points)
+        fail(where, line, "a line of walls is a list of corners: - [[0, 0], [5, 0], [5, 10]]");
     const auto at = [&](std::size_t i, int axis) {
         return number(line[i][axis], axis == 0 ? "x" : "y", where);
     };

@@ -79,7 +79,7 @@ Verdict examine(const Sample& sample, const Params& params) noexcept {
         case Stream::reset: {
             if (const Verdict v = examine_numbers(payload.reset); v != Verdict::pending) return v;
             return is_covariance(symmetric_of(payload.reset.covariance)) ? Verdict::pending
-                                                               : Verdict::bad_value;
+                                                                         : Verdict::bad_value;
         }
         case Stream::gyro:
             if (!std::isfinite(payload.gyro.rate_rad_s)) return Verdict::bad_value;

@@ -72,8 +72,7 @@ void Fixer<Scalar, N>::follow(Track& track, const Pose<double>& odometry,
                               const SightingReport& report) const noexcept {
     if (report.verdict != Verdict::fused && report.verdict != Verdict::gate) return;
     track.keep_odometry(odometry);
-    track.agreement.add(report.nis, report.dof,
-                        policies_[report.sensor].gate_nis[report.dof - 1]);
+    track.agreement.add(report.nis, report.dof, policies_[report.sensor].gate_nis[report.dof - 1]);
     if (track.agreement.last_agreed()) track.agreed_utime = report.utime;
 }
 
@@ -93,11 +92,12 @@ SightingReport Fixer<Scalar, N>::fix(Track& track, const Sample& sample) const n
     }
     const Pose<double> odometry = track.odometry();
     const double scale = params_.noise.adapts() ? track.noise.sensor(sample.source) : 1;
+    const auto fuse = params_.filter == Filter::ukf ? &fuse_fix<Filter::ukf, Scalar, N>
+                                                    : &fuse_fix<Filter::ekf, Scalar, N>;
     const SightingReport report =
-        fuse_fix(track.filter, sample, walls_, sensor, scale, policies_[sample.source]);
+        fuse(track.filter, sample, walls_, sensor, scale, policies_[sample.source]);
     if (params_.noise.adapts())
-        learn(track, report,
-              [&](int c) { return scale * scale * variance_of(sample, sensor, c); });
+        learn(track, report, [&](int c) { return scale * scale * variance_of(sample, sensor, c); });
     follow(track, odometry, report);
     return report;
 }
@@ -106,12 +106,14 @@ template <typename Scalar, int N>
 SightingReport Fixer<Scalar, N>::fuse(Track& track, const Sample& sample) const noexcept {
     const SensorParams& sensor = params_.sensors[sample.source];
     const Policy& policy = policies_[sample.source];
-    if (!params_.noise.adapts()) return fuse_sighting(track.filter, sample, map_, sensor, policy);
+    const auto fuse = params_.filter == Filter::ukf ? &fuse_sighting<Filter::ukf, Scalar, N>
+                                                    : &fuse_sighting<Filter::ekf, Scalar, N>;
+    if (!params_.noise.adapts()) return fuse(track.filter, sample, map_, sensor, policy);
     const double scale = track.noise.sensor(sample.source);
     Sample noisy = sample;
     noisy.payload.sighting = scaled(sample.payload.sighting, scale);
     const SensorParams noisy_sensor = scaled(sensor, scale);
-    const SightingReport report = fuse_sighting(track.filter, noisy, map_, noisy_sensor, policy);
+    const SightingReport report = fuse(track.filter, noisy, map_, noisy_sensor, policy);
     learn(track, report, [&](int c) {
         const double value = noisy.payload.sighting.value[c];
         return sensor_variance(noisy.payload.sighting, ComponentIndex(c), noisy_sensor,

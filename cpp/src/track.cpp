@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pilotage/examine.hpp"
+#include "pilotage/filter/ukf.hpp"
 
 namespace pilotage {
 
@@ -239,7 +240,22 @@ Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
 template <typename Scalar, int N>
 void Tracker<Scalar, N>::drive_as_learned(Track& track, const Increment<Scalar>& u) const noexcept {
     const double scale = track.noise.motion();
-    dead_reckon(track.filter, with_noise_times(Scalar(scale * scale), u, params_.noise), params_);
+    move(track.filter, with_noise_times(Scalar(scale * scale), u, params_.noise));
+}
+
+template <typename Scalar, int N>
+void Tracker<Scalar, N>::move(Ekf<Scalar, N>& filter, const Increment<Scalar>& u) const noexcept {
+    if (params_.filter == Filter::ukf)
+        move_unscented(filter, u);
+    else
+        dead_reckon(filter, u, params_);
+}
+
+template <typename Scalar, int N>
+void Tracker<Scalar, N>::move_unscented(Ekf<Scalar, N>& filter,
+                                        const Increment<Scalar>& u) const noexcept {
+    const auto motion = motion_of(filter.state(), u, params_);
+    unscented_predict(filter, motion.model, motion.u, motion.gamma, motion.q);
 }
 
 template <typename Scalar, int N>
@@ -247,7 +263,7 @@ void Tracker<Scalar, N>::drive(Track& track, const Increment<Scalar>& u) const n
     if (params_.noise.adapts())
         drive_as_learned(track, u);
     else
-        dead_reckon(track.filter, u, params_);
+        move(track.filter, u);
     if (!(track.filter.covariance().trace() <= Scalar(kUnsurestHeading)))
         track.filter = bounded(track.filter);
 }

@@ -54,43 +54,81 @@ template <typename Scalar, int N>
 template <typename Scalar>
 using RobotMotion = Unicycle<Scalar, Chord::arc>;
 
-/// Time update by an increment as measured, with the calibration of the state.
-template <typename Scalar>
-void dead_reckon(Ekf<Scalar, kCalibratedStates>& filter, const Increment<Scalar>& u,
-                 const Params& params) noexcept {
-    const Calibrated<RobotMotion<Scalar>, Scalar> model{{Scalar(params.motion.slip_angle_rad)},
-                                                        u.dt_s * u.gyro_share};
-    Vector<Scalar, 6> q;
-    q << u.process_noise, calibration_process_noise(u, params);
-    filter.predict(model, Vector<Scalar, 2>(u.distance_m, u.turn_rad), u.covariance, q);
-}
+/// What a time update takes.
+template <typename Model, typename Scalar, int N>
+struct Motion {
+    Model model;
+    Vector<Scalar, 2> u;
+    Matrix<Scalar, 2> gamma;
+    Vector<Scalar, N> q;
+};
 
-/// The same where the body tilts: on the way from one frame to the next its tilt stays, see
-/// `settle_tilt`.
+/// Motion of a pose by an increment as measured, with the configured, frozen calibration.
 template <typename Scalar>
-void dead_reckon(Ekf<Scalar, kTiltedStates>& filter, const Increment<Scalar>& u,
-                 const Params& params) noexcept {
-    const Calibrated<RobotMotion<Scalar>, Scalar> model{{Scalar(params.motion.slip_angle_rad)},
-                                                        u.dt_s * u.gyro_share};
-    const auto step = model.linearize(filter.state().template head<kCalibratedStates>(),
-                                      Vector<Scalar, 2>(u.distance_m, u.turn_rad));
-    Vector<Scalar, kTiltedStates> next = filter.state(), q;
-    next.template head<kCalibratedStates>() = step.next;
-    q << u.process_noise, calibration_process_noise(u, params), 0, 0;
-    filter.propagate(next, step.a, step.b, u.covariance, q);
-}
-
-/// Time update by an increment as measured, with the configured, frozen calibration.
-template <typename Scalar>
-void dead_reckon(Ekf<Scalar, kPoseStates>& filter, const Increment<Scalar>& u,
-                 const Params& params) noexcept {
+[[nodiscard]] Motion<RobotMotion<Scalar>, Scalar, kPoseStates> motion_of(
+    const Vector<Scalar, kPoseStates>& x, const Increment<Scalar>& u,
+    const Params& params) noexcept {
     const Vector<Scalar, 2> scale(Scalar(params.distance_scale.initial),
                                   Scalar(params.rotation_scale.initial));
     Matrix<Scalar, 2> gamma;
     for (int i = 0; i < 2; ++i)
         for (int j = 0; j < 2; ++j) gamma(i, j) = scale[i] * u.covariance(i, j) * scale[j];
-    filter.predict(RobotMotion<Scalar>{Scalar(params.motion.slip_angle_rad)},
-                   calibrated_motion(filter.state(), u, params), gamma, u.process_noise);
+    return {{Scalar(params.motion.slip_angle_rad)},
+            calibrated_motion(x, u, params),
+            gamma,
+            u.process_noise};
+}
+
+/// With the calibration of the state.
+template <typename Scalar>
+[[nodiscard]] auto motion_of(const Vector<Scalar, kCalibratedStates>&, const Increment<Scalar>& u,
+                             const Params& params) noexcept {
+    using Model = Calibrated<RobotMotion<Scalar>, Scalar>;
+    Vector<Scalar, kCalibratedStates> q;
+    q << u.process_noise, calibration_process_noise(u, params);
+    return Motion<Model, Scalar, kCalibratedStates>{
+        Model{{Scalar(params.motion.slip_angle_rad)}, u.dt_s * u.gyro_share},
+        Vector<Scalar, 2>(u.distance_m, u.turn_rad), u.covariance, q};
+}
+
+/// A model of the first states alone; the others stay.
+template <typename Model, typename Scalar, int N>
+struct Keeping {
+    Model model;
+
+    [[nodiscard]] auto linearize(const Vector<Scalar, N>& x,
+                                 const Vector<Scalar, 2>& u) const noexcept {
+        constexpr int moved = kCalibratedStates;
+        const auto step = model.linearize(x.template head<moved>(), u);
+        struct {
+            Vector<Scalar, N> next;
+            decltype(step.a) a;
+            decltype(step.b) b;
+        } result{x, step.a, step.b};
+        result.next.template head<moved>() = step.next;
+        return result;
+    }
+};
+
+/// The same where the body tilts: on the way from one frame to the next its tilt stays, see
+/// `settle_tilt`.
+template <typename Scalar>
+[[nodiscard]] auto motion_of(const Vector<Scalar, kTiltedStates>& x, const Increment<Scalar>& u,
+                             const Params& params) noexcept {
+    const auto level = motion_of(
+        Vector<Scalar, kCalibratedStates>(x.template head<kCalibratedStates>()), u, params);
+    using Model = Keeping<decltype(level.model), Scalar, kTiltedStates>;
+    Vector<Scalar, kTiltedStates> q;
+    q << level.q, 0, 0;
+    return Motion<Model, Scalar, kTiltedStates>{{level.model}, level.u, level.gamma, q};
+}
+
+/// Time update by an increment as measured.
+template <typename Scalar, int N>
+void dead_reckon(Ekf<Scalar, N>& filter, const Increment<Scalar>& u,
+                 const Params& params) noexcept {
+    const auto motion = motion_of(filter.state(), u, params);
+    filter.predict(motion.model, motion.u, motion.gamma, motion.q);
 }
 
 }  // namespace pilotage

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "pilotage/examine.hpp"
-#include "pilotage/filter/ekf.hpp"
+#include "pilotage/filter/ukf.hpp"
 #include "pilotage/params.hpp"
 #include "pilotage/samples.hpp"
 #include "pilotage/sensing/direct.hpp"
@@ -34,7 +34,8 @@ struct FixedPose {
 [[nodiscard]] inline FixedPose robot_of(const Fix& fix, const SensorParams& sensor) noexcept {
     const double heading = fix.value[kHeading] - sensor.yaw_rad;
     const double c = std::cos(heading), s = std::sin(heading);
-    const double ahead_x = c * sensor.x_m - s * sensor.y_m, ahead_y = s * sensor.x_m + c * sensor.y_m;
+    const double ahead_x = c * sensor.x_m - s * sensor.y_m,
+                 ahead_y = s * sensor.x_m + c * sensor.y_m;
     Matrix<double, 3> j = Matrix<double, 3>::Identity();
     j(kX, kHeading) = ahead_y;
     j(kY, kHeading) = -ahead_x;
@@ -56,14 +57,15 @@ struct TrueRange {
 /// Variance of one component as it is stated or configured.
 [[nodiscard]] inline double variance_of(const Sample& sample, const SensorParams& sensor,
                                         int component) noexcept {
-    return sample.stream == Stream::beam ? range_of(sample.payload.beam, sensor).variance_m2
-                                         : noise_of(sample.payload.fix, sensor)(component, component);
+    return sample.stream == Stream::beam
+               ? range_of(sample.payload.beam, sensor).variance_m2
+               : noise_of(sample.payload.fix, sensor)(component, component);
 }
 
 /// Fuses a fix, or a beam that met a wall of the map.
 /// \param noise_scale estimated over stated sigma
 /// \pre the numbers are sound (examine)
-template <typename Scalar, int N>
+template <Filter kFilter, typename Scalar, int N>
 [[nodiscard]] SightingReport fuse_fix(Ekf<Scalar, N>& filter, const Sample& sample,
                                       const WallMap& walls, const SensorParams& sensor,
                                       double noise_scale, const Policy& policy) noexcept {
@@ -74,11 +76,10 @@ template <typename Scalar, int N>
         const Model model{measured,
                           {Scalar(sensor.x_m), Scalar(sensor.y_m), Scalar(sensor.yaw_rad)}};
         const Vector<Scalar, M> z = value.template cast<Scalar>();
-        const Matrix<Scalar, M> r =
-            (noise_scale * noise_scale * noise).template cast<Scalar>();
-        const auto update = filter.update(model, z, r, policy);
-        if (update.fault != UpdateFault::undefined)
-            describe_update(update, which, policy, report);
+        const Matrix<Scalar, M> r = (noise_scale * noise_scale * noise).template cast<Scalar>();
+        const auto update = kFilter == Filter::ukf ? unscented_update(filter, model, z, r, policy)
+                                                   : filter.update(model, z, r, policy);
+        if (update.fault != UpdateFault::undefined) describe_update(update, which, policy, report);
     };
     if (sample.stream == Stream::beam) {
         const TrueRange range = range_of(sample.payload.beam, sensor);

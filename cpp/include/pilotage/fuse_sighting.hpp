@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "pilotage/filter/ekf.hpp"
+#include "pilotage/filter/ukf.hpp"
 #include "pilotage/held_sighting.hpp"
 #include "pilotage/marker_map.hpp"
 #include "pilotage/params.hpp"
@@ -38,9 +38,38 @@ template <typename Scalar, int N, typename... Components>
     return result;
 }
 
+/// Fuses them with the marker held against the whole Gaussian instead of its mean.
+/// \param held at the mean
+template <bool kHold, typename Scalar, int N, typename... Components>
+void fuse_unscented(Ekf<Scalar, N>& filter, HeldSighting<Scalar, int(sizeof...(Components))> held,
+                    const Marker& marker, const Sighting& sighting, const SensorParams& sensor,
+                    const Policy& policy, SightingReport& report,
+                    const Components&... components) noexcept {
+    constexpr int M = sizeof...(Components);
+    constexpr ComponentIndex which[] = {Components::kIndex...};
+    const auto model = sighting_model<Scalar>(marker, sensor, components...);
+    const auto seen = unscented_measurement(model, filter.state(), filter.covariance());
+    if (!seen.defined) {
+        report.verdict = Verdict::too_close;
+        report.limit = sensor.min_distance_m;
+        return;
+    }
+    held.innovation = model.minus(values_of<Scalar, Components...>(sighting), seen.value);
+    held.jacobian = seen.jacobian;
+    const Matrix<Scalar, M> noise = held.noise() + seen.noise;
+    if constexpr (N == kTiltedStates) {
+        const auto tilted = with_tilt<Scalar, Components...>(held, filter.state());
+        describe_update(filter.correct(tilted.innovation, tilted.jacobian, noise, policy, kHold),
+                        which, policy, report);
+    } else {
+        describe_update(filter.correct(held.innovation, held.jacobian, noise, policy, kHold), which,
+                        policy, report);
+    }
+}
+
 /// Fuses the given components as one vector.
 /// \tparam kHold see Ekf::correct
-template <bool kHold, typename Scalar, int N, typename... Components>
+template <Filter kFilter, bool kHold, typename Scalar, int N, typename... Components>
 [[gnu::flatten]] void fuse_components(Ekf<Scalar, N>& filter, const Marker& marker,
                                       const Sighting& sighting, const SensorParams& sensor,
                                       const Policy& policy, SightingReport& report,
@@ -54,7 +83,10 @@ template <bool kHold, typename Scalar, int N, typename... Components>
         report.limit = sensor.min_distance_m;
         return;
     }
-    if (bends<which[0]>(held, filter) && policy.fusion != Fusion::plain) {
+    if constexpr (kFilter == Filter::ukf)
+        return fuse_unscented<kHold>(filter, held, marker, sighting, sensor, policy, report,
+                                     components...);
+    if (kFilter == Filter::ekf && bends<which[0]>(held, filter) && policy.fusion != Fusion::plain) {
         const auto more = bend_variances(filter, held.dx, held.dy, held.dz, components...);
         each<M>([&](int i) { held.variances[i] += more[i]; });
     }
@@ -106,16 +138,16 @@ template <typename Scalar, typename Visit>
 
 /// Of a sighting beyond the gate: where the rest is within, only the elevation is wrong, as by a
 /// tilt, and is left out; else nothing tells them apart, and the rule of fusion decides.
-template <typename Scalar, int N>
+template <Filter kFilter, typename Scalar, int N>
 [[gnu::noinline, gnu::cold]] void fuse_apart(Ekf<Scalar, N>& filter, const Marker& marker,
-                                             const Sighting& sighting,
-                                             const SensorParams& sensor, const Policy& policy,
+                                             const Sighting& sighting, const SensorParams& sensor,
+                                             const Policy& policy,
                                              SightingReport& report) noexcept {
     const auto fuse = [&](auto hold, const Sighting& part) {
         report.value = report.limit = NAN;
         (void)with_components<Scalar>(part, sensor, [&](const auto&... components) {
-            fuse_components<decltype(hold)::value>(filter, marker, part, sensor, policy, report,
-                                                   components...);
+            fuse_components<kFilter, decltype(hold)::value>(filter, marker, part, sensor, policy,
+                                                            report, components...);
         });
     };
     Sighting level = sighting;
@@ -127,25 +159,26 @@ template <typename Scalar, int N>
         fuse(std::false_type{}, sighting);
 }
 
-/// Holds the sighting against the map and fuses what it measured, linearised at the state as it
-/// stands.
+/// Holds the sighting against the map and fuses what it measured.
+/// \tparam kFilter how it is linearised: at the state, or over the Gaussian about it
 /// \pre the sighting's values are finite or NaN
-template <typename Scalar, int N>
+template <Filter kFilter = Filter::ekf, typename Scalar, int N>
 [[nodiscard]] SightingReport fuse_sighting(Ekf<Scalar, N>& filter, const Sample& sample,
                                            const MarkerMap& map, const SensorParams& sensor,
                                            const Policy& policy) noexcept {
     const Sighting& sighting = sample.payload.sighting;
-    SightingReport report = blank_report(sample, Verdict::unknown_marker);
+    SightingReport report =
+        blank_report(sample, Verdict::unknown_marker, sighting.id, components_of(sighting.value));
     const Marker* marker = map.find(sighting.id);
     if (marker == nullptr) return report;
     const bool measured = with_components<Scalar>(sighting, sensor, [&](const auto&... components) {
         constexpr bool separable =
             sizeof...(components) > 1 &&
             (... || (std::decay_t<decltype(components)>::kIndex == kElevation));
-        fuse_components<separable>(filter, *marker, sighting, sensor, policy, report,
-                                   components...);
+        fuse_components<kFilter, separable>(filter, *marker, sighting, sensor, policy, report,
+                                            components...);
         if (separable && report.verdict == Verdict::gate)
-            fuse_apart(filter, *marker, sighting, sensor, policy, report);
+            fuse_apart<kFilter>(filter, *marker, sighting, sensor, policy, report);
     });
     if (!measured) report.verdict = Verdict::bad_value;
     return report;

@@ -58,6 +58,27 @@ struct HeldSighting {
     }
 };
 
+/// The model of these components of a marker, seen by a sensor.
+template <typename Scalar, typename... Components>
+[[nodiscard, gnu::always_inline]] inline Mounted<MarkerSighting<Scalar, Components...>, Scalar>
+sighting_model(const Marker& marker, const SensorParams& sensor,
+               const Components&... components) noexcept {
+    return {
+        {Vector<Scalar, 3>(Scalar(marker.x_m), Scalar(marker.y_m), Scalar(marker.z_m - sensor.z_m)),
+         {components...},
+         Scalar(sensor.min_distance_m)},
+        {Scalar(sensor.x_m), Scalar(sensor.y_m), Scalar(sensor.yaw_rad)}};
+}
+
+/// The values of these components.
+template <typename Scalar, typename... Components>
+[[nodiscard, gnu::always_inline]] inline Vector<Scalar, int(sizeof...(Components))> values_of(
+    const Sighting& sighting) noexcept {
+    constexpr ComponentIndex which[] = {Components::kIndex...};
+    return entries<Vector<Scalar, int(sizeof...(Components))>>(
+        [&](int i, int) { return Scalar(sighting.value[which[i]]); });
+}
+
 /// Linearised at a pose of the robot.
 template <typename Scalar, typename... Components>
 [[nodiscard, gnu::always_inline]] inline HeldSighting<Scalar, sizeof...(Components)> hold_against(
@@ -65,19 +86,12 @@ template <typename Scalar, typename... Components>
     const SensorParams& sensor, const Components&... components) noexcept {
     constexpr int M = sizeof...(Components);
     constexpr ComponentIndex which[] = {Components::kIndex...};
-    using Model = Mounted<MarkerSighting<Scalar, Components...>, Scalar>;
-    const Model model{
-        {Vector<Scalar, 3>(Scalar(marker.x_m), Scalar(marker.y_m), Scalar(marker.z_m - sensor.z_m)),
-         {components...},
-         Scalar(sensor.min_distance_m)},
-        {Scalar(sensor.x_m), Scalar(sensor.y_m), Scalar(sensor.yaw_rad)}};
+    const auto model = sighting_model<Scalar>(marker, sensor, components...);
     const auto h = model.linearize(robot);
-    const auto z =
-        entries<Vector<Scalar, M>>([&](int i, int) { return Scalar(sighting.value[which[i]]); });
     HeldSighting<Scalar, M> held;
     held.defined = h.defined;
     if (!h.defined) return held;
-    held.innovation = model.minus(z, h.value);
+    held.innovation = model.minus(values_of<Scalar, Components...>(sighting), h.value);
     held.jacobian = h.jacobian;
     held.variances = entries<Vector<Scalar, M>>(
         [&](int i, int) { return sensor_variance(sighting, which[i], sensor, h.value[i]); });

@@ -95,9 +95,9 @@ struct SensorParams {
     double sigma_bearing_rad = 0.02;
     double sigma_elevation_rad = 0.02;
     double sigma_range_m = 0.1;
-    double sigma_range_per_m = 0;  ///< added to sigma_range_m in quadrature, times the range
-    double range_scale = 1;        ///< reported over true range
-    double range_offset_m = 0;     ///< reported at range zero
+    double sigma_range_per_m = 0;   ///< added to sigma_range_m in quadrature, times the range
+    double range_scale = 1;         ///< reported over true range
+    double range_offset_m = 0;      ///< reported at range zero
     double sigma_position_m = 0.1;  ///< of x and of y
     double sigma_heading_rad = 0.05;
     double min_distance_m = 0.05;  ///< nearer markers have no usable direction

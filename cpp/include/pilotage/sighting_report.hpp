@@ -12,21 +12,17 @@
 
 namespace pilotage {
 
-/// How many values a measurement has.
-[[nodiscard]] inline int components_of(const Sample& sample) noexcept {
-    if (sample.stream == Stream::beam) return 1;
-    const double(&value)[3] =
-        sample.stream == Stream::fix ? sample.payload.fix.value : sample.payload.sighting.value;
+/// How many are measured; NaN is not.
+[[nodiscard]] inline int components_of(const double (&values)[3]) noexcept {
     int measured = 0;
-    each<3>([&](int c) { measured += std::isnan(value[c]) ? 0 : 1; });
+    each<3>([&](int c) { measured += std::isnan(values[c]) ? 0 : 1; });
     return measured;
 }
 
 /// A report that says nothing yet but which measurement it is of.
-[[nodiscard]] inline SightingReport blank_report(const Sample& sample, Verdict verdict) noexcept {
+[[nodiscard]] inline SightingReport blank_report(const Sample& sample, Verdict verdict,
+                                                 std::int32_t id, int dof) noexcept {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    const std::int32_t id =
-        sample.stream == Stream::sighting ? sample.payload.sighting.id : kUnknownId;
     return {sample.utime,
             sample.seq,
             0,
@@ -36,13 +32,26 @@ namespace pilotage {
             sample.source,
             verdict,
             false,
-            components_of(sample),
+            dof,
             {nan, nan, nan},
             {nan, nan, nan},
             nan,
             0,
             nan,
             nan};
+}
+
+[[nodiscard]] inline SightingReport blank_report(const Sample& sample, Verdict verdict) noexcept {
+    const Sample::Payload& payload = sample.payload;
+    switch (sample.stream) {
+        case Stream::sighting:
+            return blank_report(sample, verdict, payload.sighting.id,
+                                components_of(payload.sighting.value));
+        case Stream::fix:
+            return blank_report(sample, verdict, kUnknownId, components_of(payload.fix.value));
+        default:
+            return blank_report(sample, verdict, kUnknownId, 1);
+    }
 }
 
 /// Writes down what became of it.

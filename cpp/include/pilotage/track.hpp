@@ -117,6 +117,9 @@ class Tracker {
                                                 RotationStep& rotation) const noexcept;
     [[gnu::noinline, gnu::cold]] void drive_as_learned(Track& track,
                                                        const Increment<Scalar>& u) const noexcept;
+    void move(Ekf<Scalar, N>& filter, const Increment<Scalar>& u) const noexcept;
+    [[gnu::noinline, gnu::cold]] void move_unscented(Ekf<Scalar, N>& filter,
+                                                     const Increment<Scalar>& u) const noexcept;
     [[nodiscard, gnu::noinline, gnu::cold]] Pose<double> judged_window(Track& track) const noexcept;
     [[nodiscard, gnu::noinline, gnu::cold]] Pose<double> farthest(const Track& track, double time_s,
                                                                   bool turn_known) const noexcept;

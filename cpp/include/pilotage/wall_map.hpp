@@ -33,6 +33,8 @@ class WallMap {
     WallMap() = default;
     explicit WallMap(std::vector<Wall> walls) : walls_(std::move(walls)) {}
 
+    [[nodiscard]] const std::vector<Wall>& walls() const noexcept { return walls_; }
+
     /// The nearest wall ahead.
     /// \param x_m, y_m where the beam starts, frame map
     /// \param forward its direction, a unit vector

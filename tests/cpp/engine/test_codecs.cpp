@@ -65,11 +65,11 @@ TEST(CodecTest, AFingerprintNeedsEightBytes) {
 }
 
 TEST(CodecTest, KnowsWhatAnInputExpects) {
-    EXPECT_STREQ(expected_type(Kind::encoders), "encoders_t");
-    EXPECT_STREQ(expected_type(Kind::velocity), "velocity_t");
-    EXPECT_STREQ(expected_type(Kind::gyro), "gyro_t");
-    EXPECT_STREQ(expected_type(Kind::frame), "marker_frame_t");
-    EXPECT_STREQ(expected_type(Kind::reset), "pose_reset_t");
+    EXPECT_EQ(expected_types(Kind::encoders), "encoders_t");
+    EXPECT_EQ(expected_types(Kind::velocity), "velocity_t");
+    EXPECT_EQ(expected_types(Kind::gyro), "gyro_t");
+    EXPECT_EQ(expected_types(Kind::frame), "marker_frame_t");
+    EXPECT_EQ(expected_types(Kind::reset), "pose_reset_t");
 }
 
 TEST(CodecTest, MakesSamplesOfMessages) {
@@ -136,7 +136,7 @@ TEST(CodecTest, ReadsTheMBotsEncoders) {
     EXPECT_EQ(out.samples.at(0).payload.ticks.right, 7);
     Decoded rest;
     EXPECT_FALSE(codec.decode(bytes.data(), bytes.size() - 1, rest));
-    EXPECT_STREQ(expected_type(Kind::encoders), "encoders_t") << "ours is what we ask for";
+    EXPECT_EQ(expected_types(Kind::encoders), "encoders_t") << "ours is what we ask for";
 }
 
 }  // namespace

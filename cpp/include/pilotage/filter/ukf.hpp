@@ -8,6 +8,30 @@
 
 namespace pilotage {
 
+/// Time update of a state and covariance that an Ekf holds, by its model's values.
+template <typename Scalar, int N, typename Space, typename Model, int Inputs>
+void unscented_predict(Ekf<Scalar, N, Space>& filter, const Model& model,
+                       const Vector<Scalar, Inputs>& u, const Matrix<Scalar, Inputs>& gamma,
+                       const Vector<Scalar, N>& q, const Unscented& set = {}) noexcept {
+    auto next = unscented_motion<Space>(model, filter.state(), filter.covariance(), u, gamma, set);
+    next.covariance.diagonal() += q;
+    filter = {next.mean, next.covariance};
+}
+
+/// Measurement update likewise, a transaction as the Ekf's. The report's S is P_zz + R.
+template <typename Scalar, int N, typename Space, typename Model, int M>
+UpdateReport<Scalar, M> unscented_update(Ekf<Scalar, N, Space>& filter, const Model& model,
+                                         const Vector<Scalar, M>& z, const Matrix<Scalar, M>& r,
+                                         const Policy& policy, const Unscented& set = {}) noexcept {
+    using Report = UpdateReport<Scalar, M>;
+    const auto h = unscented_measurement(model, filter.state(), filter.covariance(), set);
+    if (!h.defined) return Report::refused(UpdateFault::undefined);
+    // Omega must not make good for an R that is none.
+    if (!Ldlt<Scalar, M>(r).positive()) return Report::refused(UpdateFault::numeric);
+    return filter.correct(model.minus(z, h.value), h.jacobian, Matrix<Scalar, M>(r + h.noise),
+                          policy);
+}
+
 /// Takes the models that the Ekf takes; runnable example: tests/cpp/filter/test_ukf.cpp.
 template <typename Scalar, int N, typename Space = HeadingSpace>
 class Ukf {
@@ -27,22 +51,14 @@ class Ukf {
     template <typename Model, int Inputs>
     void predict(const Model& model, const Vector<Scalar, Inputs>& u,
                  const Matrix<Scalar, Inputs>& gamma, const State& q) noexcept {
-        auto next = unscented_motion<Space>(model, state(), covariance(), u, gamma, set_);
-        next.covariance.diagonal() += q;
-        filter_ = {next.mean, next.covariance};
+        unscented_predict(filter_, model, u, gamma, q, set_);
     }
 
-    /// Measurement update, a transaction as the Ekf's. The report's S is P_zz + R.
+    /// Measurement update.
     template <typename Model, int M>
     UpdateReport<Scalar, M> update(const Model& model, const Vector<Scalar, M>& z,
                                    const Matrix<Scalar, M>& r, const Policy& policy) noexcept {
-        using Report = UpdateReport<Scalar, M>;
-        const auto h = unscented_measurement(model, state(), covariance(), set_);
-        if (!h.defined) return Report::refused(UpdateFault::undefined);
-        // Omega must not make good for an R that is none.
-        if (!Ldlt<Scalar, M>(r).positive()) return Report::refused(UpdateFault::numeric);
-        return filter_.correct(model.minus(z, h.value), h.jacobian, Matrix<Scalar, M>(r + h.noise),
-                               policy);
+        return unscented_update(filter_, model, z, r, policy, set_);
     }
 
    private:

@@ -50,14 +50,13 @@ template <typename Model, typename Scalar, int N>
 [[nodiscard, gnu::flatten]] auto unscented_measurement(const Model& model,
                                                        const Vector<Scalar, N>& x,
                                                        const Matrix<Scalar, N>& p,
-                                                       const Unscented& set) noexcept {
+                                                       const Unscented& set = {}) noexcept {
     constexpr int States = Model::kStates;
     const Vector<Scalar, States> mean = x.template head<States>();
     const auto centre = model.linearize(mean);
     constexpr int M = decltype(centre.value)::RowsAtCompileTime;
     bool defined = centre.defined;
-    const auto root =
-        root_of(Matrix<Scalar, States>(p.template topLeftCorner<States, States>()));
+    const auto root = root_of(Matrix<Scalar, States>(p.template topLeftCorner<States, States>()));
     const auto image = unscented_image<M>(root, set, [&](const Vector<Scalar, States>& d) {
         const auto h = model.linearize(Vector<Scalar, States>(mean + d));
         defined = defined && h.defined;
