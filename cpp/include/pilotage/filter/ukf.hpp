@@ -37,10 +37,14 @@ class Ukf {
     UpdateReport<Scalar, M> update(const Model& model, const Vector<Scalar, M>& z,
                                    const Matrix<Scalar, M>& r, const Policy& policy) noexcept {
         using Report = UpdateReport<Scalar, M>;
-        const auto h = unscented_measurement(model, state(), covariance(), set_);
-        if (!h.defined) return Report::refused(UpdateFault::undefined);
         // Omega must not make good for an R that is none.
-        if (!Ldlt<Scalar, M>(r).positive()) return Report::refused(UpdateFault::numeric);
+        if (!covariance().allFinite() || !Ldlt<Scalar, M>(r).positive())
+            return Report::refused(UpdateFault::numeric);
+        constexpr int seen = Model::kStates;
+        const auto h = unscented_measurement(
+            model, Vector<Scalar, seen>(state().template head<seen>()),
+            Matrix<Scalar, seen>(covariance().template topLeftCorner<seen, seen>()), set_);
+        if (!h.defined) return Report::refused(UpdateFault::undefined);
         return filter_.correct(model.minus(z, h.value), h.jacobian, Matrix<Scalar, M>(r + h.noise),
                                policy);
     }
