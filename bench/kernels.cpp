@@ -45,6 +45,23 @@ SightingReport update_localizer(Ekf<double, 3>& filter, const Case& c, const Sit
     return fuse_sighting(filter, c.sample, site.map, site.sensor, site.policy);
 }
 
+void predict_ukf(Ukf<double, 3>& filter, const Case& c) {
+    filter.predict(Unicycle<double, Chord::midpoint>{}, c.u, c.gamma, c.q);
+}
+
+void predict6_ukf(Ukf<double, 6>& filter, const Case& c) {
+    const Calibrated<Unicycle<double, Chord::arc>, double> model{{}, 0.02};
+    filter.predict(model, c.u, c.gamma, c.q6);
+}
+
+Report update_ukf(Ukf<double, 3>& filter, const Case& c, const Policy& policy) {
+    return filter.update(c.sighting, c.z, diagonal(c.variances), policy);
+}
+
+Report update6_ukf(Ukf<double, 6>& filter, const Case& c, const Policy& policy) {
+    return filter.update(c.sighting, c.z, diagonal(c.variances), policy);
+}
+
 #ifdef BENCH_SYMFORCE
 void predict_symforce(SymforceStep& filter, const Case& c) {
     const int now = filter.now, next = filter.now = 1 - now;

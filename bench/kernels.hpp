@@ -5,6 +5,7 @@
 
 #include "cases.hpp"
 #include "pilotage/filter/ekf.hpp"
+#include "pilotage/filter/ukf.hpp"
 #include "scalar_step.hpp"
 
 namespace bench {
@@ -20,6 +21,11 @@ Report update_pilotage(Ekf<double, 3>& filter, const Case& c, const Policy& poli
 bool update_by_hand(ScalarStep& filter, const Case& c);
 Report update6_pilotage(Ekf<double, 6>& filter, const Case& c, const Policy& policy);
 SightingReport update_localizer(Ekf<double, 3>& filter, const Case& c, const Site& site);
+
+void predict_ukf(Ukf<double, 3>& filter, const Case& c);
+void predict6_ukf(Ukf<double, 6>& filter, const Case& c);
+Report update_ukf(Ukf<double, 3>& filter, const Case& c, const Policy& policy);
+Report update6_ukf(Ukf<double, 6>& filter, const Case& c, const Policy& policy);
 
 #ifdef BENCH_SYMFORCE
 /// Generated functions may not write over what they read: two places, used in turn.

@@ -19,12 +19,22 @@ const Policy plain;
 
 using E3 = Ekf<double, 3>;
 using E6 = Ekf<double, 6>;
+using U3 = Ukf<double, 3>;
+using U6 = Ukf<double, 6>;
 
 E3 three(const Case& c) {
     return {c.x.head<3>(), c.p.topLeftCorner<3, 3>()};
 }
 
 E6 six(const Case& c) {
+    return {c.x, c.p};
+}
+
+U3 unscented_three(const Case& c) {
+    return {c.x.head<3>(), c.p.topLeftCorner<3, 3>()};
+}
+
+U6 unscented_six(const Case& c) {
     return {c.x, c.p};
 }
 
@@ -73,6 +83,10 @@ std::vector<Contender> contenders() {
         field("update6_pilotage", six, [](E6& f, const Case& c) { update6_pilotage(f, c, plain); }),
         field("update_localizer", three,
               [](E3& f, const Case& c) { update_localizer(f, c, site); }),
+        chain("predict_ukf", unscented_three, predict_ukf),
+        chain("predict6_ukf", unscented_six, predict6_ukf),
+        field("update_ukf", unscented_three, [](U3& f, const Case& c) { update_ukf(f, c, plain); }),
+        field("update6_ukf", unscented_six, [](U6& f, const Case& c) { update6_ukf(f, c, plain); }),
 #ifdef BENCH_SYMFORCE
         chain("predict_symforce", generated, predict_symforce),
         field("update_symforce", generated, update_symforce),

@@ -1,11 +1,7 @@
 #include "pilotage/filter/ekf.hpp"
 
-#include <pybind11/eigen.h>
-
-#include <optional>
-
 #include "bindings.hpp"
-#include "marker_model.hpp"
+#include "filter_methods.hpp"
 #include "pilotage/motion/calibrated.hpp"
 #include "pilotage/motion/differential_drive.hpp"
 #include "pilotage/params.hpp"
@@ -16,88 +12,56 @@ namespace pilotage::bindings {
 
 namespace {
 
-/// UpdateReport of any size.
-struct Report {
-    Eigen::VectorXd innovation;
-    Eigen::MatrixXd s;
-    double nis, weight;
-    UpdateFault fault;
-};
-
 const char* name(UpdateFault fault) {
     constexpr const char* names[] = {"", "gated", "undefined", "numeric"};
     return names[static_cast<int>(fault)];
 }
 
-template <int M>
-Report any_size(const UpdateReport<double, M>& report) {
-    return {report.innovation, report.s, report.nis, report.weight, report.fault};
-}
-
-template <int N, int M>
+template <int Seen, int M, int N>
 Report correct(Ekf<double, N>& filter, const Eigen::VectorXd& innovation, const Eigen::MatrixXd& h,
                const Eigen::MatrixXd& r, const Policy& policy) {
-    return any_size(filter.correct(Vector<double, M>(innovation), Matrix<double, M, 3>(h),
+    return any_size(filter.correct(Vector<double, M>(innovation), Matrix<double, M, Seen>(h),
                                    Matrix<double, M>(r), policy));
 }
 
-template <int N>
+template <int N, int Seen>
 Report correct_any(Ekf<double, N>& filter, const Eigen::VectorXd& innovation,
                    const Eigen::MatrixXd& h, const Eigen::MatrixXd& r, const Policy& policy) {
     const auto m = innovation.size();
-    if (h.rows() != m || h.cols() != 3 || r.rows() != m || r.cols() != m)
-        throw py::value_error("innovation (m,), h (m, 3) and r (m, m) do not fit each other");
+    if (h.rows() != m || h.cols() != Seen || r.rows() != m || r.cols() != m)
+        throw py::value_error("innovation (m,), h (m, " + std::to_string(Seen) +
+                              ") and r (m, m) do not fit each other");
     switch (m) {
         case 1:
-            return correct<N, 1>(filter, innovation, h, r, policy);
+            return correct<Seen, 1>(filter, innovation, h, r, policy);
         case 2:
-            return correct<N, 2>(filter, innovation, h, r, policy);
+            return correct<Seen, 2>(filter, innovation, h, r, policy);
         case 3:
-            return correct<N, 3>(filter, innovation, h, r, policy);
+            return correct<Seen, 3>(filter, innovation, h, r, policy);
         default:
             throw py::value_error("an update has 1, 2 or 3 components");
     }
 }
 
-template <int N>
-Report update(Ekf<double, N>& filter, const MarkerModel& model, const Eigen::VectorXd& z,
-              const Eigen::MatrixXd& r, const Policy& policy) {
-    return model.visit([&](const auto& core) {
-        constexpr int M = std::decay_t<decltype(core)>::Values::RowsAtCompileTime;
-        if (z.size() != M || r.rows() != M || r.cols() != M)
-            throw py::value_error("z must have shape (m,) and r (m, m) for m components");
-        return any_size(filter.update(core, Vector<double, M>(z), Matrix<double, M>(r), policy));
-    });
-}
-
-template <typename Filter, typename Model, int Inputs>
-void def_predict(py::class_<Filter>& c) {
-    c.def("predict", &Filter::template predict<Model, Inputs>, py::arg("model"), py::arg("u"),
-          py::arg("gamma"), py::arg("q"));
-}
-
-template <int N>
+/// \tparam Seen the states that a Jacobian given to `correct` is by
+template <int N, int Seen>
 py::class_<Ekf<double, N>> bind_ekf(py::module_& m, const char* class_name, const char* doc) {
     using Filter = Ekf<double, N>;
     py::class_<Filter> c(m, class_name, doc);
     c.def(py::init<const Vector<double, N>&, const Matrix<double, N>&>(), py::arg("x"),
-          py::arg("p"))
-        // By value: a view would change under the caller's feet with the next step.
-        .def_property_readonly(
-            "state", [](const Filter& f) { return Vector<double, N>(f.state()); },
-            "(n,) float, a copy")
-        .def_property_readonly(
-            "covariance", [](const Filter& f) { return Matrix<double, N>(f.covariance()); },
-            "(n, n) float, a copy")
-        .def("update", &update<N>, py::arg("model"), py::arg("z"), py::arg("r"),
-             py::arg_v("policy", Policy{}, "Policy()"),
-             "Measurement update, eqs. 10, 11 and 28 of Kiriy and Buehler 2002 (Joseph form), "
-             "linearised at the "
-             "state as it stands. Nothing changes unless the report says accepted.")
-        .def("correct", &correct_any<N>, py::arg("innovation"), py::arg("h"), py::arg("r"),
-             py::arg_v("policy", Policy{}, "Policy()"),
-             "The update with innovation (m,) and h (m, 3) given, so that they may be taken at "
-             "another point.");
+          py::arg("p"));
+    def_estimate(c);
+    def_update_by_marker(
+        c,
+        "Measurement update, eqs. 10, 11 and 28 of Kiriy and Buehler 2002 (Joseph form), "
+        "linearised at the "
+        "state as it stands. Nothing changes unless the report says accepted.");
+    const std::string seen = std::to_string(Seen);
+    c.def("correct", &correct_any<N, Seen>, py::arg("innovation"), py::arg("h"), py::arg("r"),
+          py::arg_v("policy", Policy{}, "Policy()"),
+          ("The update with innovation (m,) and h (m, " + seen +
+           ") given, so that they may be taken at another point.")
+              .c_str());
     return c;
 }
 
@@ -131,7 +95,7 @@ void bind_filter(py::module_& m) {
             "'', 'gated', 'undefined' or 'numeric'");
     using Ekf3 = Ekf<double, 3>;
     using Ekf6 = Ekf<double, 6>;
-    auto ekf3 = bind_ekf<3>(m, "Ekf3", R"(The first paper's filter: x, y [m], heading [rad].
+    auto ekf3 = bind_ekf<3, 3>(m, "Ekf3", R"(The first paper's filter: x, y [m], heading [rad].
 
 ``predict(model, u, gamma, q)`` is the time update, eqs. 8 and 9: u the model's input, gamma its
 covariance, q (3,) the variances added to the states.
@@ -145,11 +109,14 @@ covariance, q (3,) the variances added to the states.
              "The time update with next (3,), a (3, 3) and b (3, 2) given, so that they may be "
              "taken at another "
              "point.");
-    auto ekf6 = bind_ekf<6>(
+    auto ekf6 = bind_ekf<6, 3>(
         m, "Ekf6",
         "The filter with calibration: x, y [m], heading [rad], gyro bias [rad/s], distance "
         "scale, rotation scale.");
     def_predict<Ekf6, Calibrated<Unicycle<double, Chord::arc>, double>, 2>(ekf6);
+    bind_ekf<5, 5>(m, "Ekf5",
+                   "The filter with velocities as states: x, y [m], heading [rad], speed [m/s], "
+                   "yaw rate [rad/s].");
 }
 
 }  // namespace pilotage::bindings

@@ -11,6 +11,8 @@ PYBIND11_MODULE(_core, m) {
     bind_motion(m);
     bind_sensing(m);
     bind_filter(m);
+    bind_linear_kalman(m);
+    bind_ukf(m);
     bind_run(m);
     bind_localizer(m);
 }

@@ -48,7 +48,7 @@ void fuse_unscented(Ekf<Scalar, N>& filter, HeldSighting<Scalar, int(sizeof...(C
     constexpr int M = sizeof...(Components);
     constexpr ComponentIndex which[] = {Components::kIndex...};
     const auto model = sighting_model<Scalar>(marker, sensor, components...);
-    const auto seen = unscented_measurement(model, filter.state(), filter.covariance());
+    const auto seen = unscented_measurement(model, filter);
     if (!seen.defined) {
         report.verdict = Verdict::too_close;
         report.limit = sensor.min_distance_m;

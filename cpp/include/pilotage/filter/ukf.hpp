@@ -18,16 +18,27 @@ void unscented_predict(Ekf<Scalar, N, Space>& filter, const Model& model,
     filter = {next.mean, next.covariance};
 }
 
+/// The model at what an Ekf holds, by the states that it sees.
+template <typename Scalar, int N, typename Space, typename Model>
+[[nodiscard]] auto unscented_measurement(const Model& model, const Ekf<Scalar, N, Space>& filter,
+                                         const Unscented& set = {}) noexcept {
+    constexpr int seen = Model::kStates;
+    return unscented_measurement(
+        model, Vector<Scalar, seen>(filter.state().template head<seen>()),
+        Matrix<Scalar, seen>(filter.covariance().template topLeftCorner<seen, seen>()), set);
+}
+
 /// Measurement update likewise, a transaction as the Ekf's. The report's S is P_zz + R.
 template <typename Scalar, int N, typename Space, typename Model, int M>
 UpdateReport<Scalar, M> unscented_update(Ekf<Scalar, N, Space>& filter, const Model& model,
                                          const Vector<Scalar, M>& z, const Matrix<Scalar, M>& r,
                                          const Policy& policy, const Unscented& set = {}) noexcept {
     using Report = UpdateReport<Scalar, M>;
-    const auto h = unscented_measurement(model, filter.state(), filter.covariance(), set);
-    if (!h.defined) return Report::refused(UpdateFault::undefined);
     // Omega must not make good for an R that is none.
-    if (!Ldlt<Scalar, M>(r).positive()) return Report::refused(UpdateFault::numeric);
+    if (!filter.covariance().allFinite() || !Ldlt<Scalar, M>(r).positive())
+        return Report::refused(UpdateFault::numeric);
+    const auto h = unscented_measurement(model, filter, set);
+    if (!h.defined) return Report::refused(UpdateFault::undefined);
     return filter.correct(model.minus(z, h.value), h.jacobian, Matrix<Scalar, M>(r + h.noise),
                           policy);
 }

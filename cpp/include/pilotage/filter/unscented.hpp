@@ -20,6 +20,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pilotage/congruence.hpp"
 #include "pilotage/filter/ldlt.hpp"
 #include "pilotage/state.hpp"
 
@@ -36,9 +37,11 @@ struct Unscented {
 };
 
 /// The lower triangular root with root root' = P. What has no variance has a row and a column of
-/// zeros: no points, and it does not count in n, as if it were not there.
+/// zeros: no points, and it does not count in n, as if it were not there. Out of line: one copy
+/// serves all models.
 template <typename Scalar, int N>
-[[nodiscard]] Matrix<Scalar, N> root_of(const Matrix<Scalar, N>& p) noexcept {
+[[nodiscard, gnu::noinline, gnu::flatten]] Matrix<Scalar, N> root_of(
+    const Matrix<Scalar, N>& p) noexcept {
     // The factors leave out what is not a number; it must not pass for certain.
     if (!p.allFinite())
         return Matrix<Scalar, N>::Constant(std::numeric_limits<Scalar>::quiet_NaN());
@@ -63,11 +66,11 @@ struct UnscentedImage {
     [[nodiscard]] Matrix<Scalar, M, N> jacobian(const Matrix<Scalar, N>& root) const noexcept {
         Matrix<Scalar, M, N> h = slope;
         for (int j = N - 1; j >= 0; --j) {
-            for (int k = j + 1; k < N; ++k) h.col(j) -= h.col(k) * root(k, j);
-            if (root(j, j) == 0)
-                h.col(j).setZero();
-            else
-                h.col(j) /= root(j, j);
+            const Scalar inverse = root(j, j) == 0 ? Scalar(0) : 1 / root(j, j);
+            each<M>([&](int i) {
+                for (int k = j + 1; k < N; ++k) h(i, j) -= h(i, k) * root(k, j);
+                h(i, j) *= inverse;
+            });
         }
         return h;
     }
@@ -81,7 +84,7 @@ template <int M, typename Scalar, int N, typename Apart>
     using std::sqrt;
     const auto n = static_cast<double>((root.array() != 0).rowwise().any().count());
     const auto c = Scalar(set.alpha * set.alpha * (n + set.kappa));
-    const Scalar reach = sqrt(c), weight = n > 0 ? 1 / c : Scalar(0);
+    const Scalar reach = sqrt(c), per_reach = 1 / (2 * reach), weight = n > 0 ? 1 / c : Scalar(0);
     UnscentedImage<Scalar, M, N> image;
     image.shift.setZero();
     image.slope.setZero();
@@ -89,14 +92,22 @@ template <int M, typename Scalar, int N, typename Apart>
     for (int i = 0; i < N; ++i) {
         if (root(i, i) == 0) continue;
         Vector<Scalar, M> ends[2];
-        for (int end = 0; end < 2; ++end)
-            ends[end] = apart(Vector<Scalar, N>(root.col(i) * (end == 0 ? reach : -reach)));
-        const Vector<Scalar, M> bend = (ends[0] + ends[1]) / 2;
-        image.slope.col(i) = (ends[0] - ends[1]) / (2 * reach);
-        image.shift += weight * bend;
-        image.rest += weight * bend * bend.transpose();
+        for (int end = 0; end < 2; ++end) {
+            const Scalar far = end == 0 ? reach : -reach;
+            ends[end] =
+                apart(entries<Vector<Scalar, N>>([&](int j, int) { return root(j, i) * far; }));
+        }
+        Vector<Scalar, M> bend;
+        each<M>([&](int j) {
+            bend[j] = (ends[0][j] + ends[1][j]) / 2;
+            image.slope(j, i) = (ends[0][j] - ends[1][j]) * per_reach;
+            image.shift[j] += weight * bend[j];
+        });
+        add_lower(image.rest, [&](int j, int k) { return weight * bend[j] * bend[k]; });
     }
-    image.rest += Scalar(set.beta - set.alpha * set.alpha) * image.shift * image.shift.transpose();
+    const auto centre = Scalar(set.beta - set.alpha * set.alpha);
+    add_lower(image.rest, [&](int j, int k) { return centre * image.shift[j] * image.shift[k]; });
+    mirror_lower(image.rest);
     return image;
 }
 

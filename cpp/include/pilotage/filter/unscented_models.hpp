@@ -26,8 +26,9 @@ template <typename Space, typename Model, typename Scalar, int N, int Inputs>
     root.template topLeftCorner<N, N>() = root_of(p);
     root.template bottomRightCorner<Inputs, Inputs>() = root_of(gamma);
     const auto image = unscented_image<N>(root, set, [&](const Vector<Scalar, N + Inputs>& d) {
-        const Vector<Scalar, N> from = x + d.template head<N>();
-        const Vector<Scalar, Inputs> by = u + d.template tail<Inputs>();
+        const auto from = entries<Vector<Scalar, N>>([&](int i, int) { return x[i] + d[i]; });
+        const auto by =
+            entries<Vector<Scalar, Inputs>>([&](int i, int) { return u[i] + d[N + i]; });
         return Space::minus(Vector<Scalar, N>(model.linearize(from, by).next), next);
     });
     return {Space::plus(next, image.shift), image.covariance()};
@@ -44,21 +45,20 @@ struct UnscentedMeasurement {
 
 /// What `Ekf::correct` needs of a model to make the update of the unscented filter, eqs. 22 to 28
 /// of Tamas et al. 2008: with H = P_zx P^-1 its H P H' + R + Omega is P_zz + R (eq. 24 lacks R),
-/// and K and P follow. The points are those of the states that the model sees; what it does not
-/// see depends on these linearly, so no more are needed.
-template <typename Model, typename Scalar, int N>
+/// and K and P follow.
+/// \param x, p of the states that the model sees: those that it does not see follow these linearly
+template <typename Model, typename Scalar, int States>
 [[nodiscard, gnu::flatten]] auto unscented_measurement(const Model& model,
-                                                       const Vector<Scalar, N>& x,
-                                                       const Matrix<Scalar, N>& p,
-                                                       const Unscented& set = {}) noexcept {
-    constexpr int States = Model::kStates;
-    const Vector<Scalar, States> mean = x.template head<States>();
-    const auto centre = model.linearize(mean);
+                                                       const Vector<Scalar, States>& x,
+                                                       const Matrix<Scalar, States>& p,
+                                                       const Unscented& set) noexcept {
+    const auto centre = model.linearize(x);
     constexpr int M = decltype(centre.value)::RowsAtCompileTime;
     bool defined = centre.defined;
-    const auto root = root_of(Matrix<Scalar, States>(p.template topLeftCorner<States, States>()));
+    const auto root = root_of(p);
     const auto image = unscented_image<M>(root, set, [&](const Vector<Scalar, States>& d) {
-        const auto h = model.linearize(Vector<Scalar, States>(mean + d));
+        const auto h = model.linearize(
+            entries<Vector<Scalar, States>>([&](int i, int) { return x[i] + d[i]; }));
         defined = defined && h.defined;
         return model.minus(h.value, centre.value);
     });
