@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bindings.hpp"
+#include "filter_models.hpp"
 #include "marker_model.hpp"
 #include "pilotage/motion/calibrated.hpp"
 #include "pilotage/motion/differential_drive.hpp"
@@ -145,6 +146,8 @@ covariance, q (3,) the variances added to the states.
              "The time update with next (3,), a (3, 3) and b (3, 2) given, so that they may be "
              "taken at another "
              "point.");
+    def_motions<PoseMotion>(ekf3);
+    def_measurements<PoseMeasurement>(ekf3, [](const auto& report) { return any_size(report); });
     auto ekf6 = bind_ekf<6>(
         m, "Ekf6",
         "The filter with calibration: x, y [m], heading [rad], gyro bias [rad/s], distance "
