@@ -13,6 +13,8 @@ void bind_recording(pybind11::module_& m);
 void bind_run(pybind11::module_& m);
 void bind_motion(pybind11::module_& m);
 void bind_sensing(pybind11::module_& m);
+void bind_measurements(pybind11::module_& m);
+void bind_wall_map(pybind11::module_& m);
 void bind_filter(pybind11::module_& m);
 void bind_linear_kalman(pybind11::module_& m);
 void bind_ukf(pybind11::module_& m);

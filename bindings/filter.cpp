@@ -2,6 +2,7 @@
 
 #include "bindings.hpp"
 #include "filter_methods.hpp"
+#include "filter_models.hpp"
 #include "pilotage/motion/calibrated.hpp"
 #include "pilotage/motion/differential_drive.hpp"
 #include "pilotage/params.hpp"
@@ -109,14 +110,20 @@ covariance, q (3,) the variances added to the states.
              "The time update with next (3,), a (3, 3) and b (3, 2) given, so that they may be "
              "taken at another "
              "point.");
+    def_motions<PoseMotion>(ekf3);
+    def_measurements<PoseMeasurement>(ekf3);
     auto ekf6 = bind_ekf<6, 3>(
         m, "Ekf6",
         "The filter with calibration: x, y [m], heading [rad], gyro bias [rad/s], distance "
         "scale, rotation scale.");
     def_predict<Ekf6, Calibrated<Unicycle<double, Chord::arc>, double>, 2>(ekf6);
-    bind_ekf<5, 5>(m, "Ekf5",
-                   "The filter with velocities as states: x, y [m], heading [rad], speed [m/s], "
-                   "yaw rate [rad/s].");
+    auto ekf5 = bind_ekf<5, 5>(
+        m, "Ekf5",
+        "The filter with velocities as states: x, y [m], heading [rad], speed [m/s], "
+        "yaw rate [rad/s].");
+    def_motions<VelocityMotion>(ekf5);
+    def_measurements<PoseMeasurement>(ekf5);
+    def_measurements<VelocityMeasurement>(ekf5);
 }
 
 }  // namespace pilotage::bindings

@@ -10,6 +10,8 @@ PYBIND11_MODULE(_core, m) {
     bind_recording(m);
     bind_motion(m);
     bind_sensing(m);
+    bind_measurements(m);
+    bind_wall_map(m);
     bind_filter(m);
     bind_linear_kalman(m);
     bind_ukf(m);

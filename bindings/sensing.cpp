@@ -1,11 +1,10 @@
-#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
 
-#include "arrays.hpp"
 #include "bindings.hpp"
 #include "marker_model.hpp"
+#include "measurement_methods.hpp"
 
 namespace py = pybind11;
 
@@ -58,11 +57,7 @@ range_scale, range_offset_m : reported = scale * true + offset
         .def(
             "linearize",
             [](const MarkerModel& model, const Vector<double, 3>& pose) {
-                return model.visit([&](const auto& core) {
-                    const auto h = core.linearize(pose);
-                    return std::make_tuple(Eigen::VectorXd(h.value), Eigen::MatrixXd(h.jacobian),
-                                           h.defined);
-                });
+                return model.visit([&](const auto& core) { return linearize_at(core, pose); });
             },
             py::arg("pose"),
             R"(h(x) and its Jacobian: eqs. 23 to 25 of Kiriy and Buehler 2002 (25 with its signs corrected).
@@ -76,32 +71,14 @@ defined : bool, False at the marker itself
         .def(
             "predict",
             [](const MarkerModel& model, const Array<double>& poses) {
-                expect_shape(poses, poses.size() / 3, 3, "poses");
-                return model.visit([&](const auto& core) {
-                    constexpr py::ssize_t m =
-                        std::decay_t<decltype(core)>::Values::RowsAtCompileTime;
-                    py::array_t<double> values({poses.shape(0), m});
-                    const double* pose = poses.data();
-                    double* value = values.mutable_data();
-                    for (py::ssize_t i = 0; i < poses.shape(0); ++i, pose += 3, value += m) {
-                        const Vector<double, 3> at(pose[0], pose[1], pose[2]);
-                        const auto h = core.linearize(at);
-                        std::copy_n(h.value.data(), m, value);
-                    }
-                    return values;
-                });
+                return model.visit([&](const auto& core) { return predict_each(core, poses); });
             },
             py::arg("poses"), "h(x) of many poses at once: (n, m) for (n, 3).")
         .def(
             "minus",
             [](const MarkerModel& model, const Eigen::VectorXd& z,
                const Eigen::VectorXd& predicted) {
-                return model.visit([&](const auto& core) {
-                    using Values = typename std::decay_t<decltype(core)>::Values;
-                    if (z.size() != Values::RowsAtCompileTime || predicted.size() != z.size())
-                        throw py::value_error("z and predicted need one entry a component");
-                    return Eigen::VectorXd(core.minus(Values(z), Values(predicted)));
-                });
+                return model.visit([&](const auto& core) { return subtract(core, z, predicted); });
             },
             py::arg("z"), py::arg("predicted"),
             "Measured less predicted, (m,) each; bearings wrap.");

@@ -4,6 +4,7 @@
 
 #include "bindings.hpp"
 #include "filter_methods.hpp"
+#include "filter_models.hpp"
 #include "pilotage/motion/calibrated.hpp"
 #include "pilotage/motion/differential_drive.hpp"
 
@@ -112,12 +113,19 @@ added to the states. Sigma points are of state and input; with gamma zero, of th
     def_predict<Ukf3, DifferentialDrive<double>, 2>(ukf3);
     def_predict<Ukf3, GyroDrive<double>, 3>(ukf3);
     def_update_by_marker(ukf3);
+    def_motions<PoseMotion>(ukf3);
+    def_measurements<PoseMeasurement>(ukf3);
     auto ukf6 = bind_filter<6>(m, "Ukf6", "Ekf6's unscented counterpart, with its models.");
     def_predict<Ukf6, Calibrated<Arc, double>, 2>(ukf6);
     def_update_by_marker(ukf6);
     auto ukf5 = bind_filter<5>(m, "Ukf5", "Ekf5's unscented counterpart.");
     def_update_by_marker(ukf5);
-    bind_filter<4, PlainSpace>(m, "Ukf4", "The unscented filter of four states, none an angle.");
+    def_motions<VelocityMotion>(ukf5);
+    def_measurements<PoseMeasurement>(ukf5);
+    def_measurements<VelocityMeasurement>(ukf5);
+    auto ukf4 = bind_filter<4, PlainSpace>(
+        m, "Ukf4", "The unscented filter of four states, none an angle; of an echo's parameters.");
+    def_measurements<EchoMeasurement>(ukf4);
 }
 
 }  // namespace pilotage::bindings

@@ -6,7 +6,7 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['ArcUnicycle', 'CalibratedArc', 'Config', 'ConfigError', 'DifferentialDrive', 'Ekf3', 'Ekf6', 'Engine', 'GyroDrive', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'Policy', 'Recording', 'Run', 'UpdateReport', 'load_config', 'read_checkpoint', 'read_table', 'replay']
+__all__: list[str] = ['ArcUnicycle', 'ArcVelocity', 'BodyVelocity', 'CalibratedArc', 'Config', 'ConfigError', 'ConstantVelocity', 'DifferentialDrive', 'EchoEnvelope', 'Ekf3', 'Ekf6', 'Engine', 'EulerVelocity', 'GyroDrive', 'HeadingFix', 'LinearizedVelocity', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'MidpointVelocity', 'MoveAndTurn', 'Policy', 'PoseFix', 'PositionFix', 'Recording', 'RelativePosition', 'Run', 'SkidSteer', 'Speed', 'UpdateReport', 'WallMap', 'WallRange', 'WheelTravel', 'WorldBearing', 'YawRate', 'load_config', 'read_checkpoint', 'read_table', 'relative_position_noise', 'replay']
 class ConfigError(ValueError):
     """
     A configuration or map that cannot be used; names file, line, key, value and what was expected.
@@ -204,7 +204,15 @@ class MidpointUnicycle:
         -------
         next : (n,) float, the state after the motion
         a : (n, n) float, by the state
-        b : (3, m) float, the pose by the input
+        b : (n, m) float, by the input; without the rows of calibration states
+        """
+    def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k + 1, n) from x (n,) on, one step after the other, u (k, m).
+        """
+    def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k, n) one step from each of x (k, n), u (k, m).
         """
 class ArcUnicycle:
     """
@@ -220,21 +228,45 @@ class ArcUnicycle:
         -------
         next : (n,) float, the state after the motion
         a : (n, n) float, by the state
-        b : (3, m) float, the pose by the input
+        b : (n, m) float, by the input; without the rows of calibration states
         """
     def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
         """
-        The poses (n + 1, 3) from x (3,) on, one step after the other, u (n, 2).
+        The states (k + 1, n) from x (n,) on, one step after the other, u (k, m).
         """
     def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
         """
-        The poses (n, 3) one step from each of x (n, 3), u (n, 2).
+        The states (k, n) one step from each of x (k, n), u (k, m).
+        """
+class MoveAndTurn:
+    """
+    u = (distance [m], turn [rad]), a straight move and then a turn on the spot.
+    """
+    def __init__(self, slip_angle_rad: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 2]"]]:
+        """
+        f(x, u) and its Jacobians.
+        
+        Returns
+        -------
+        next : (n,) float, the state after the motion
+        a : (n, n) float, by the state
+        b : (n, m) float, by the input; without the rows of calibration states
+        """
+    def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k + 1, n) from x (n,) on, one step after the other, u (k, m).
+        """
+    def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k, n) one step from each of x (k, n), u (k, m).
         """
 class DifferentialDrive:
     """
     u = (left travel [m], right travel [m]), heading from the wheels.
     
-    Eqs. 16 to 22 of Kiriy and Buehler 2002.
+    Eqs. 16 to 22 of Kiriy and Buehler 2002; eqs. 31 to 35 of Tamas et al. 2008 without their arctan.
     """
     def __init__(self, track_width_m: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
@@ -246,7 +278,15 @@ class DifferentialDrive:
         -------
         next : (n,) float, the state after the motion
         a : (n, n) float, by the state
-        b : (3, m) float, the pose by the input
+        b : (n, m) float, by the input; without the rows of calibration states
+        """
+    def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k + 1, n) from x (n,) on, one step after the other, u (k, m).
+        """
+    def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k, n) one step from each of x (k, n), u (k, m).
         """
 class GyroDrive:
     """
@@ -265,7 +305,15 @@ class GyroDrive:
         -------
         next : (n,) float, the state after the motion
         a : (n, n) float, by the state
-        b : (3, m) float, the pose by the input
+        b : (n, m) float, by the input; without the rows of calibration states
+        """
+    def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k + 1, n) from x (n,) on, one step after the other, u (k, m).
+        """
+    def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k, n) one step from each of x (k, n), u (k, m).
         """
 class CalibratedArc:
     """
@@ -282,7 +330,193 @@ class CalibratedArc:
         -------
         next : (n,) float, the state after the motion
         a : (n, n) float, by the state
-        b : (3, m) float, the pose by the input
+        b : (n, m) float, by the input; without the rows of calibration states
+        """
+    def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k + 1, n) from x (n,) on, one step after the other, u (k, m).
+        """
+    def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k, n) one step from each of x (k, n), u (k, m).
+        """
+class EulerVelocity:
+    """
+    u = (speed [m/s], yaw rate [rad/s]) over dt_s, along the heading at the start.
+    
+    Eqs. 5 and 6 of Kohler's final project report.
+    """
+    def __init__(self, dt_s: typing.SupportsFloat | typing.SupportsIndex, slip_angle_rad: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 2]"]]:
+        """
+        f(x, u) and its Jacobians.
+        
+        Returns
+        -------
+        next : (n,) float, the state after the motion
+        a : (n, n) float, by the state
+        b : (n, m) float, by the input; without the rows of calibration states
+        """
+    def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k + 1, n) from x (n,) on, one step after the other, u (k, m).
+        """
+    def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k, n) one step from each of x (k, n), u (k, m).
+        """
+class MidpointVelocity:
+    """
+    u = (speed [m/s], yaw rate [rad/s]) over dt_s, along the mid heading.
+    """
+    def __init__(self, dt_s: typing.SupportsFloat | typing.SupportsIndex, slip_angle_rad: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 2]"]]:
+        """
+        f(x, u) and its Jacobians.
+        
+        Returns
+        -------
+        next : (n,) float, the state after the motion
+        a : (n, n) float, by the state
+        b : (n, m) float, by the input; without the rows of calibration states
+        """
+    def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k + 1, n) from x (n,) on, one step after the other, u (k, m).
+        """
+    def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k, n) one step from each of x (k, n), u (k, m).
+        """
+class ArcVelocity:
+    """
+    u = (speed [m/s], yaw rate [rad/s]) over dt_s, along the exact arc.
+    """
+    def __init__(self, dt_s: typing.SupportsFloat | typing.SupportsIndex, slip_angle_rad: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 2]"]]:
+        """
+        f(x, u) and its Jacobians.
+        
+        Returns
+        -------
+        next : (n,) float, the state after the motion
+        a : (n, n) float, by the state
+        b : (n, m) float, by the input; without the rows of calibration states
+        """
+    def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k + 1, n) from x (n,) on, one step after the other, u (k, m).
+        """
+    def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k, n) one step from each of x (k, n), u (k, m).
+        """
+class LinearizedVelocity:
+    """
+    ArcVelocity whose covariance moves by exp(A dt), linearised at the start of the step.
+    
+    Eqs. 4 to 7 of Sousa, Costa, Moreira and Carvalho.
+    """
+    def __init__(self, dt_s: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 2]"]]:
+        """
+        f(x, u) and its Jacobians.
+        
+        Returns
+        -------
+        next : (n,) float, the state after the motion
+        a : (n, n) float, by the state
+        b : (n, m) float, by the input; without the rows of calibration states
+        """
+    def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k + 1, n) from x (n,) on, one step after the other, u (k, m).
+        """
+    def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k, n) one step from each of x (k, n), u (k, m).
+        """
+class BodyVelocity:
+    """
+    u = (forward [m/s], leftward [m/s], yaw rate [rad/s]) of the body, held over dt_s.
+    """
+    def __init__(self, dt_s: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]]:
+        """
+        f(x, u) and its Jacobians.
+        
+        Returns
+        -------
+        next : (n,) float, the state after the motion
+        a : (n, n) float, by the state
+        b : (n, m) float, by the input; without the rows of calibration states
+        """
+    def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k + 1, n) from x (n,) on, one step after the other, u (k, m).
+        """
+    def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k, n) one step from each of x (k, n), u (k, m).
+        """
+class SkidSteer:
+    """
+    u = (right, left) speed of the wheels [m/s], held over dt_s.
+    
+    Eqs. 29 and 30 of Tamas et al. 2008: the (3, 2) coefficients give forward and leftward velocity and
+    yaw rate [rad/m].
+    """
+    def __init__(self, coefficients: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 2]"], dt_s: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 2]"]]:
+        """
+        f(x, u) and its Jacobians.
+        
+        Returns
+        -------
+        next : (n,) float, the state after the motion
+        a : (n, n) float, by the state
+        b : (n, m) float, by the input; without the rows of calibration states
+        """
+    def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k + 1, n) from x (n,) on, one step after the other, u (k, m).
+        """
+    def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k, n) one step from each of x (k, n), u (k, m).
+        """
+class ConstantVelocity:
+    """
+    State (x, y, heading, speed [m/s], yaw rate [rad/s]), along the exact arc.
+    
+    u = (acceleration [m/s^2], yaw acceleration [rad/s^2]) over dt_s, normally zero: its covariance is the
+    process noise.
+    """
+    def __init__(self, dt_s: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[5, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[5, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[5, 5]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[5, 2]"]]:
+        """
+        f(x, u) and its Jacobians.
+        
+        Returns
+        -------
+        next : (n,) float, the state after the motion
+        a : (n, n) float, by the state
+        b : (n, m) float, by the input; without the rows of calibration states
+        """
+    def path(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[5, 1]"], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k + 1, n) from x (n,) on, one step after the other, u (k, m).
+        """
+    def step_each(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The states (k, n) one step from each of x (k, n), u (k, m).
         """
 class MarkerModel:
     """
@@ -314,6 +548,293 @@ class MarkerModel:
     def predict(self, poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
         """
         h(x) of many poses at once: (n, m) for (n, 3).
+        """
+class RelativePosition:
+    """
+    (forward, leftward) [m] from a mounted sensor to a marker.
+    
+    Eqs. 8 and 9 of Sousa, Costa, Moreira and Carvalho.
+    """
+    def __init__(self, marker: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"], mounting: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = ...) -> None:
+        """
+        Parameters
+        ----------
+        marker : (2,) float, x, y in frame map [m]
+        mounting : (3,) float, the sensor's x, y [m] and yaw [rad] in the robot frame
+        """
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
+        """
+        h(x) and its Jacobian.
+        
+        Returns
+        -------
+        value : (m,) float
+        jacobian : (m, n) float, by the states that it sees
+        defined : bool, whether there is anything to measure, and a derivative to trust
+        """
+    def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Measured less predicted, (m,) each; angles wrap.
+        """
+    def predict(self, states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        h(x) of many states at once: (k, m) for (k, n).
+        """
+class WorldBearing:
+    """
+    Direction from a marker to the robot in frame map [rad]; it does not see the heading.
+    
+    Eq. 4 of Kohler's final project report, its innovation wrapped.
+    """
+    def __init__(self, marker: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> None:
+        """
+        marker : (2,) float, x, y in frame map [m]
+        """
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
+        """
+        h(x) and its Jacobian.
+        
+        Returns
+        -------
+        value : (m,) float
+        jacobian : (m, n) float, by the states that it sees
+        defined : bool, whether there is anything to measure, and a derivative to trust
+        """
+    def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Measured less predicted, (m,) each; angles wrap.
+        """
+    def predict(self, states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        h(x) of many states at once: (k, m) for (k, n).
+        """
+class PositionFix:
+    """
+    x, y [m] in frame map of a point of the robot, such as an antenna.
+    """
+    def __init__(self, lever_arm: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"] = ...) -> None:
+        """
+        lever_arm : (2,) float, forward and leftward of the robot's origin [m]
+        """
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
+        """
+        h(x) and its Jacobian.
+        
+        Returns
+        -------
+        value : (m,) float
+        jacobian : (m, n) float, by the states that it sees
+        defined : bool, whether there is anything to measure, and a derivative to trust
+        """
+    def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Measured less predicted, (m,) each; angles wrap.
+        """
+    def predict(self, states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        h(x) of many states at once: (k, m) for (k, n).
+        """
+class HeadingFix:
+    """
+    Heading [rad] from +x of frame map: a compass.
+    """
+    def __init__(self, offset_rad: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        offset_rad : read less the robot's heading
+        """
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
+        """
+        h(x) and its Jacobian.
+        
+        Returns
+        -------
+        value : (m,) float
+        jacobian : (m, n) float, by the states that it sees
+        defined : bool, whether there is anything to measure, and a derivative to trust
+        """
+    def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Measured less predicted, (m,) each; angles wrap.
+        """
+    def predict(self, states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        h(x) of many states at once: (k, m) for (k, n).
+        """
+class PoseFix:
+    """
+    x, y [m] and heading [rad] of a sensor.
+    """
+    def __init__(self, mounting: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = ...) -> None:
+        """
+        mounting : (3,) float, the sensor's x, y [m] and yaw [rad] in the robot frame
+        """
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
+        """
+        h(x) and its Jacobian.
+        
+        Returns
+        -------
+        value : (m,) float
+        jacobian : (m, n) float, by the states that it sees
+        defined : bool, whether there is anything to measure, and a derivative to trust
+        """
+    def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Measured less predicted, (m,) each; angles wrap.
+        """
+    def predict(self, states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        h(x) of many states at once: (k, m) for (k, n).
+        """
+class Speed:
+    """
+    The state's speed [m/s], its fourth entry.
+    """
+    def __init__(self) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[4, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
+        """
+        h(x) and its Jacobian.
+        
+        Returns
+        -------
+        value : (m,) float
+        jacobian : (m, n) float, by the states that it sees
+        defined : bool, whether there is anything to measure, and a derivative to trust
+        """
+    def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Measured less predicted, (m,) each; angles wrap.
+        """
+    def predict(self, states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        h(x) of many states at once: (k, m) for (k, n).
+        """
+class YawRate:
+    """
+    The state's yaw rate [rad/s], its fifth entry.
+    """
+    def __init__(self) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[5, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
+        """
+        h(x) and its Jacobian.
+        
+        Returns
+        -------
+        value : (m,) float
+        jacobian : (m, n) float, by the states that it sees
+        defined : bool, whether there is anything to measure, and a derivative to trust
+        """
+    def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Measured less predicted, (m,) each; angles wrap.
+        """
+    def predict(self, states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        h(x) of many states at once: (k, m) for (k, n).
+        """
+class WheelTravel:
+    """
+    (left, right) travel [m] within dt_s, of a state with speed and yaw rate.
+    
+    Eqs. 19 and 20 of Kiriy and Buehler 2002, solved for the wheels.
+    """
+    def __init__(self, track_width_m: typing.SupportsFloat | typing.SupportsIndex, dt_s: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[5, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
+        """
+        h(x) and its Jacobian.
+        
+        Returns
+        -------
+        value : (m,) float
+        jacobian : (m, n) float, by the states that it sees
+        defined : bool, whether there is anything to measure, and a derivative to trust
+        """
+    def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Measured less predicted, (m,) each; angles wrap.
+        """
+    def predict(self, states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        h(x) of many states at once: (k, m) for (k, n).
+        """
+class EchoEnvelope:
+    """
+    The envelope of an ultrasonic echo at a time, of the state (A0, tau [s], T [s], alpha).
+    
+    Eq. 38 of Tamas et al. 2008 with the sign of its exponent put right; zero before tau, highest at
+    tau + alpha T, not defined unless T and alpha are positive.
+    """
+    @staticmethod
+    def at_times(state: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[4, 1]"], times_s: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The envelope (n,) of one echo at times (n,).
+        """
+    def __init__(self, time_s: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[4, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
+        """
+        h(x) and its Jacobian.
+        
+        Returns
+        -------
+        value : (m,) float
+        jacobian : (m, n) float, by the states that it sees
+        defined : bool, whether there is anything to measure, and a derivative to trust
+        """
+    def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Measured less predicted, (m,) each; angles wrap.
+        """
+    def predict(self, states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        h(x) of many states at once: (k, m) for (k, n).
+        """
+class WallMap:
+    """
+    The walls of a world, and what a beam meets among them.
+    """
+    def __init__(self, segments: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        """
+        segments : (n, 4) float, from x, y to x, y in frame map [m], in any order
+        """
+    def cast(self, poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], angles_rad: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Ranges [m] (n, k) to the nearest walls from poses (n, 3) at angles (k,) from their headings; inf where there is no wall.
+        """
+class WallRange:
+    """
+    Distance [m] to the nearest wall along a beam.
+    
+    Not defined where the beam meets no wall, or one at less than 3 degrees.
+    """
+    def __init__(self, walls: WallMap, beam_rad: typing.SupportsFloat | typing.SupportsIndex, mounting: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = ...) -> None:
+        """
+        Parameters
+        ----------
+        walls : WallMap
+        beam_rad : from the sensor's forward axis, left positive
+        mounting : (3,) float, the sensor's x, y [m] and yaw [rad] in the robot frame
+        """
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
+        """
+        h(x) and its Jacobian.
+        
+        Returns
+        -------
+        value : (m,) float
+        jacobian : (m, n) float, by the states that it sees
+        defined : bool, whether there is anything to measure, and a derivative to trust
+        """
+    def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Measured less predicted, (m,) each; angles wrap.
+        """
+    def predict(self, states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        h(x) of many states at once: (k, m) for (k, n).
         """
 class Policy:
     """
@@ -394,14 +915,21 @@ class Ekf3:
     @typing.overload
     def predict(self, model: GyroDrive, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
         ...
+    @typing.overload
+    def predict(self, model: MoveAndTurn | EulerVelocity | MidpointVelocity | ArcVelocity | LinearizedVelocity | BodyVelocity | SkidSteer, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        ...
     def propagate(self, next: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], a: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"], b: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 2]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 2]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
         """
         The time update with next (3,), a (3, 3) and b (3, 2) given, so that they may be taken at another point.
         """
+    @typing.overload
     def update(self, model: MarkerModel, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
         """
         Measurement update, eqs. 10, 11 and 28 of Kiriy and Buehler 2002 (Joseph form), linearised at the state as it stands. Nothing changes unless the report says accepted.
         """
+    @typing.overload
+    def update(self, model: RelativePosition | WorldBearing | WallRange | PositionFix | HeadingFix | PoseFix, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        ...
     @property
     def covariance(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]:
         """
@@ -585,6 +1113,13 @@ def read_table(path: str, columns: collections.abc.Sequence[typing.SupportsInt |
     
     Separators are blanks, tabs and commas; empty lines and lines that begin with # or % are passed over.
     ValueError names file and line of a ragged row or of a word that is no number.
+    """
+def relative_position_noise(relative_m: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"], sigma_distance_per_m: typing.SupportsFloat | typing.SupportsIndex, sigma_bearing_rad: typing.SupportsFloat | typing.SupportsIndex) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 2]"]:
+    """
+    R (2, 2) [m^2] of a RelativePosition, its axes along the line of sight and across it.
+    
+    Eqs. 13 to 16 of Sousa, Costa, Moreira and Carvalho, with eq. 15 transposed as it should be; relative_m
+    (2,) is measured or predicted.
     """
 @typing.overload
 def replay(config: Config, recording: Recording, keep_messages: bool = False, progress: collections.abc.Callable[[float], None] | None = None) -> Run:
