@@ -33,6 +33,10 @@ COUNTED = {  # what callgrind counts, by the function's name
             "update_by_hand",
             "update_symforce",
             "update6_pilotage",
+            "predict_ukf",
+            "update_ukf",
+            "predict6_ukf",
+            "update6_ukf",
         )
     },
     "update_localizer": "pilotage::SightingReport pilotage::fuse_sighting*",
@@ -126,6 +130,15 @@ def step_rows(ns: dict[str, float], count: dict[str, float]) -> Iterator[Row]:
             yield Row(f"Ekf<6> {name}", count[f"{step}6_pilotage"], "instructions")
         yield Row(f"Ekf<6> {name}", six, "ns")
         yield Row("  six states over three", six / ours, "", "≤ 6")
+    for states, six in ((3, ""), (6, "6")):
+        title = f"Ukf<{states}> predict + update"
+        keys = [f"{step}{six}_ukf" for step in ("predict", "update")]
+        ukf = sum(ns[key] for key in keys)
+        ekf = sum(ns[f"{step}{six}_pilotage"] for step in ("predict", "update"))
+        if count:
+            yield Row(title, sum(count[key] for key in keys), "instructions")
+        yield Row(title, ukf, "ns")
+        yield Row(f"  over Ekf<{states}>'s", ukf / ekf, "", "≤ 10" if states == 3 else "")
     title = "Localizer's update of one sighting"
     if count:
         yield Row(title, count["update_localizer"], "instructions", "≤ 950")

@@ -29,7 +29,7 @@ using WorldBearingSighting = MarkerSighting<double, WorldBearing<double>>;
 /// Of a pose.
 using PoseMotion =
     std::variant<MoveAndTurn<double>, EulerVelocity, MidpointVelocity, ArcVelocity,
-                 LinearizedVelocity<double>, BodyVelocity<double>, SkidSteer<double>>;
+                 LinearizedVelocity<double>, PlanarVelocity<double>, SkidSteer<double>>;
 /// By a pose, or by the pose that further states follow.
 using PoseMeasurement =
     std::variant<OnRobot<RelativePosition>, WorldBearingSighting, OnRobot<WallRange>,

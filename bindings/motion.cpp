@@ -92,8 +92,8 @@ Eqs. 5 and 6 of Kohler's final project report.
 
 Eqs. 4 to 7 of Sousa, Costa, Moreira and Carvalho.
 )");
-    bind_of_one<BodyVelocity<double>>(
-        m, "BodyVelocity", "dt_s",
+    bind_of_one<PlanarVelocity<double>>(
+        m, "PlanarVelocity", "dt_s",
         "u = (forward [m/s], leftward [m/s], yaw rate [rad/s]) of the body, held over dt_s.");
     py::class_<SkidSteer<double>> skid(
         m, "SkidSteer",

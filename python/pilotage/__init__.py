@@ -10,7 +10,6 @@ if TYPE_CHECKING:
     from ._core import (
         ArcUnicycle,
         ArcVelocity,
-        BodyVelocity,
         CalibratedArc,
         Config,
         ConfigError,
@@ -32,6 +31,7 @@ if TYPE_CHECKING:
         MidpointUnicycle,
         MidpointVelocity,
         MoveAndTurn,
+        PlanarVelocity,
         Policy,
         PoseFix,
         PositionFix,
@@ -63,7 +63,6 @@ if TYPE_CHECKING:
 __all__ = [
     "ArcUnicycle",
     "ArcVelocity",
-    "BodyVelocity",
     "CalibratedArc",
     "Config",
     "ConfigError",
@@ -85,6 +84,7 @@ __all__ = [
     "MidpointUnicycle",
     "MidpointVelocity",
     "MoveAndTurn",
+    "PlanarVelocity",
     "Policy",
     "PoseFix",
     "PositionFix",

@@ -6,7 +6,11 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
+<<<<<<< HEAD
 __all__: list[str] = ['ArcUnicycle', 'ArcVelocity', 'BodyVelocity', 'CalibratedArc', 'Config', 'ConfigError', 'ConstantVelocity', 'DifferentialDrive', 'EchoEnvelope', 'Ekf3', 'Ekf6', 'Engine', 'EulerVelocity', 'GyroDrive', 'HeadingFix', 'LinearizedVelocity', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'MidpointVelocity', 'MoveAndTurn', 'Policy', 'PoseFix', 'PositionFix', 'Recording', 'RelativePosition', 'Run', 'SkidSteer', 'Speed', 'UpdateReport', 'WallMap', 'WallRange', 'WheelTravel', 'WorldBearing', 'YawRate', 'load_config', 'read_checkpoint', 'read_table', 'relative_position_noise', 'replay']
+=======
+__all__: list[str] = ['ArcUnicycle', 'CalibratedArc', 'Config', 'ConfigError', 'DifferentialDrive', 'Ekf3', 'Ekf5', 'Ekf6', 'Engine', 'GyroDrive', 'LinearKalman', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'Policy', 'Recording', 'Run', 'Ukf3', 'Ukf4', 'Ukf5', 'Ukf6', 'Unscented', 'UpdateReport', 'load_config', 'read_checkpoint', 'read_table', 'replay', 'unscented_transform']
+>>>>>>> d-filters
 class ConfigError(ValueError):
     """
     A configuration or map that cannot be used; names file, line, key, value and what was expected.
@@ -966,6 +970,191 @@ class Ekf6:
         """
         (n,) float, a copy
         """
+class Ekf5:
+    """
+    The filter with velocities as states: x, y [m], heading [rad], speed [m/s], yaw rate [rad/s].
+    """
+    def __init__(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[5, 1]"], p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[5, 5]"]) -> None:
+        ...
+    def correct(self, innovation: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], h: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        The update with innovation (m,) and h (m, 5) given, so that they may be taken at another point.
+        """
+    def update(self, model: MarkerModel, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        Measurement update, eqs. 10, 11 and 28 of Kiriy and Buehler 2002 (Joseph form), linearised at the state as it stands. Nothing changes unless the report says accepted.
+        """
+    @property
+    def covariance(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[5, 5]"]:
+        """
+        (n, n) float, a copy
+        """
+    @property
+    def state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[5, 1]"]:
+        """
+        (n,) float, a copy
+        """
+class LinearKalman:
+    """
+    The Kalman filter of a linear system of 1 to 4 states.
+    
+    Eqs. 3, 4 and 7 to 11 of Tamas et al. 2008, x = A x + B u + w and z = H x + v, with Q the covariance
+    of w and R that of v. No state is an angle.
+    """
+    def __init__(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"]) -> None:
+        ...
+    def predict(self, a: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], bu: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"]) -> None:
+        """
+        Time update, eqs. 7 and 8.
+        
+        Parameters
+        ----------
+        a : (n, n) float
+        bu : (n,) float, what the input adds: b @ u
+        q : (n, n) float
+        """
+    def update(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], h: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        Measurement update, eqs. 9 to 11 as the Joseph form.
+        
+        Nothing changes unless the report says accepted.
+        
+        Parameters
+        ----------
+        z : (m,) float, m up to 3
+        h : (m, n) float
+        r : (m, m) float
+        """
+    @property
+    def covariance(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+        """
+        (n, n) float, a copy
+        """
+    @property
+    def state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        (n,) float, a copy
+        """
+class Unscented:
+    """
+    The set of sigma points: mean +- sqrt(c) times the columns of a Cholesky root.
+    
+    c = alpha^2 (n + kappa), with n the entries that have a variance. ``Unscented()`` is the set of 2n
+    points with equal weights, ``Unscented(kappa=1)`` that of eq. 14 of Tamas et al. 2008.
+    """
+    def __init__(self, alpha: typing.SupportsFloat | typing.SupportsIndex = 1.0, beta: typing.SupportsFloat | typing.SupportsIndex = 0.0, kappa: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        alpha above 0, beta and kappa 0 or more: no covariance comes out indefinite then.
+        """
+    @property
+    def alpha(self) -> float:
+        """
+        spread of the points
+        """
+    @property
+    def beta(self) -> float:
+        """
+        weight of the mean's shift in the covariance
+        """
+    @property
+    def kappa(self) -> float:
+        """
+        added to n
+        """
+class Ukf3:
+    """
+    Ekf3's unscented counterpart: x, y [m], heading [rad].
+    
+    It takes the models that Ekf3 takes and uses their values alone, eqs. 14 to 28 of Tamas et al. 2008.
+    ``predict(model, u, gamma, q)``: u the model's input, gamma its covariance, q (3,) the variances
+    added to the states. Sigma points are of state and input; with gamma zero, of the state alone.
+    """
+    def __init__(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"], unscented: Unscented = ...) -> None:
+        ...
+    @typing.overload
+    def predict(self, model: MidpointUnicycle, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 2]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        ...
+    @typing.overload
+    def predict(self, model: ArcUnicycle, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 2]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        ...
+    @typing.overload
+    def predict(self, model: DifferentialDrive, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 2]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        ...
+    @typing.overload
+    def predict(self, model: GyroDrive, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        ...
+    def update(self, model: MarkerModel, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        Measurement update. Nothing changes unless the report says accepted.
+        """
+    @property
+    def covariance(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]:
+        """
+        (n, n) float, a copy
+        """
+    @property
+    def state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (n,) float, a copy
+        """
+class Ukf6:
+    """
+    Ekf6's unscented counterpart, with its models.
+    """
+    def __init__(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"], p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 6]"], unscented: Unscented = ...) -> None:
+        ...
+    def predict(self, model: CalibratedArc, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 2]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"]) -> None:
+        ...
+    def update(self, model: MarkerModel, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        Measurement update. Nothing changes unless the report says accepted.
+        """
+    @property
+    def covariance(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 6]"]:
+        """
+        (n, n) float, a copy
+        """
+    @property
+    def state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 1]"]:
+        """
+        (n,) float, a copy
+        """
+class Ukf5:
+    """
+    Ekf5's unscented counterpart.
+    """
+    def __init__(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[5, 1]"], p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[5, 5]"], unscented: Unscented = ...) -> None:
+        ...
+    def update(self, model: MarkerModel, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        Measurement update. Nothing changes unless the report says accepted.
+        """
+    @property
+    def covariance(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[5, 5]"]:
+        """
+        (n, n) float, a copy
+        """
+    @property
+    def state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[5, 1]"]:
+        """
+        (n,) float, a copy
+        """
+class Ukf4:
+    """
+    The unscented filter of four states, none an angle.
+    """
+    def __init__(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[4, 1]"], p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[4, 4]"], unscented: Unscented = ...) -> None:
+        ...
+    @property
+    def covariance(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
+        """
+        (n, n) float, a copy
+        """
+    @property
+    def state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 1]"]:
+        """
+        (n,) float, a copy
+        """
 class Run:
     """
     A recording that went through the engine, with all that came out.
@@ -1136,4 +1325,19 @@ def replay(config: Config, recording: Recording, keep_messages: bool = False, pr
 @typing.overload
 def replay(config: Config, path: str, keep_messages: bool = False, progress: collections.abc.Callable[[float], None] | None = None) -> Run:
     ...
+def unscented_transform(mean: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], covariance: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], f: collections.abc.Callable[[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]], typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]], unscented: Unscented = ...) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]]:
+    """
+    Mean and covariance of f(x), eqs. 14 to 17 of Tamas et al. 2008; none of its values an angle.
+    
+    Parameters
+    ----------
+    mean : (n,) float, n up to 6
+    covariance : (n, n) float
+    f : from (n,) float to (m,) float, m up to 6
+    
+    Returns
+    -------
+    mean : (m,) float
+    covariance : (m, m) float
+    """
 __version__: str = '0.1.0'

@@ -17,7 +17,7 @@ MOTIONS = {
     "MidpointVelocity": (pilotage.MidpointVelocity(0.1), [2.0, 0.5]),
     "ArcVelocity": (pilotage.ArcVelocity(0.1, slip_angle_rad=0.1), [2.0, 0.5]),
     "LinearizedVelocity": (pilotage.LinearizedVelocity(0.1), [2.0, 0.5]),
-    "BodyVelocity": (pilotage.BodyVelocity(0.1), [2.0, -0.3, 0.5]),
+    "PlanarVelocity": (pilotage.PlanarVelocity(0.1), [2.0, -0.3, 0.5]),
     "SkidSteer": (pilotage.SkidSteer([[0.5, 0.5], [0.01, -0.01], [2, -2]], 0.1), [1.0, 0.9]),
 }
 

@@ -25,7 +25,7 @@ Matrix<Scalar, 3, 2> coefficients(double forward, double lateral, double by_trac
 TEST(SkidSteer, WheelsDecideForwardLateralAndYawRate) {
     const SkidSteer<double> robot{coefficients<double>(0.5, -0.02, 2.0), 0.1};
     const auto slow_turn = robot.linearize({0, 0, 0}, Wheels<double>(1.05, 0.95));
-    const auto same = BodyVelocity<double>{0.1}.linearize({0, 0, 0}, {1.0, -0.002, 0.2});
+    const auto same = PlanarVelocity<double>{0.1}.linearize({0, 0, 0}, {1.0, -0.002, 0.2});
     EXPECT_TRUE(same_pose<double>(slow_turn.next, same.next, 1e-15));
 }
 
@@ -41,13 +41,14 @@ TYPED_TEST(SkidSteerTest, SymmetricCoefficientsAreADifferentialDriveOnItsExactAr
 }
 
 TYPED_TEST(SkidSteerTest, LeftwardVelocityMovesTheRobotToItsLeft) {
-    const auto north = BodyVelocity<TypeParam>{2}.linearize({1, 2, kPi<TypeParam> / 2}, {0, 3, 0});
+    const auto north =
+        PlanarVelocity<TypeParam>{2}.linearize({1, 2, kPi<TypeParam> / 2}, {0, 3, 0});
     EXPECT_TRUE(same_pose<TypeParam>(north.next, {-5, 2, kPi<TypeParam> / 2}, kTight<TypeParam>));
 }
 
 // Facing the centre of a circle of 2 m radius all the way round.
 TYPED_TEST(SkidSteerTest, DrivingSidewaysRoundAPointKeepsFacingIt) {
-    const BodyVelocity<TypeParam> quarter{kPi<TypeParam> / 2};
+    const PlanarVelocity<TypeParam> quarter{kPi<TypeParam> / 2};
     const auto next = quarter.linearize({-2, 0, 0}, {0, -2, 1}).next;
     EXPECT_TRUE(same_pose<TypeParam>(next, {0, -2, kPi<TypeParam> / 2}, kTight<TypeParam>));
 }
@@ -56,10 +57,10 @@ TYPED_TEST(SkidSteerTest, StepCutInTwoEndsWhereTheWholeStepEnds) {
     const Pose<TypeParam> start(1, 2, 3);
     for (const auto& u : travels<TypeParam>()) {
         const Body<TypeParam> body(u[0], TypeParam(0.4), u[1]);
-        const auto middle = BodyVelocity<TypeParam>{TypeParam(0.3)}.linearize(start, body).next;
+        const auto middle = PlanarVelocity<TypeParam>{TypeParam(0.3)}.linearize(start, body).next;
         EXPECT_TRUE(same_pose<TypeParam>(
-            BodyVelocity<TypeParam>{TypeParam(0.7)}.linearize(middle, body).next,
-            BodyVelocity<TypeParam>{1}.linearize(start, body).next, kTight<TypeParam>));
+            PlanarVelocity<TypeParam>{TypeParam(0.7)}.linearize(middle, body).next,
+            PlanarVelocity<TypeParam>{1}.linearize(start, body).next, kTight<TypeParam>));
     }
 }
 
@@ -68,7 +69,7 @@ TYPED_TEST(SkidSteerTest, JacobiansAreDerivatives) {
     for (const auto& x : poses<TypeParam>())
         for (const auto& u : travels<TypeParam>()) {
             const auto lateral = draw.uniform<TypeParam>(-1, 1);
-            expect_jacobians(BodyVelocity<TypeParam>{TypeParam(0.1)}, x,
+            expect_jacobians(PlanarVelocity<TypeParam>{TypeParam(0.1)}, x,
                              Body<TypeParam>(u[0], lateral, u[1]));
             expect_jacobians(SkidSteer<TypeParam>{draw.normal<TypeParam, 3, 2>(), TypeParam(0.1)},
                              x, u);

@@ -16,8 +16,7 @@ const Site kSite(kYard);
 const Pose<double> kRobot(1, 2, 0.5);
 
 Explanation explained(const Vector<double, 3>& z, int id, const Pose<double>& robot = kRobot,
-                      double drift_m2 = 0, double drift_rad2 = 0,
-                      const SensorParams& sensor = {}) {
+                      double drift_m2 = 0, double drift_rad2 = 0, const SensorParams& sensor = {}) {
     const Sighting sighting{{z[0], z[1], z[2]}, {kNan, kNan, kNan}, id, -1};
     const View view = view_of(sighting, sensor, kYard, kSite, {0, 0, 0}, drift_m2, drift_rad2);
     return explain(view, Frame(robot), kYard);

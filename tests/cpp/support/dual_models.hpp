@@ -51,7 +51,7 @@ Velocity<To, kChord> with_scalar(const Velocity<From, kChord>& model) {
 }
 
 template <typename To, typename From>
-BodyVelocity<To> with_scalar(const BodyVelocity<From>& model) {
+PlanarVelocity<To> with_scalar(const PlanarVelocity<From>& model) {
     return {To(model.dt_s)};
 }
 

@@ -10,7 +10,7 @@ namespace pilotage {
 /// u = (forward [m/s], leftward [m/s], yaw rate [rad/s]) in the robot frame, held over dt_s and
 /// integrated exactly.
 template <typename Scalar>
-struct BodyVelocity {
+struct PlanarVelocity {
     Scalar dt_s;
 
     [[nodiscard]] MotionStep<Scalar, 3> linearize(const Pose<Scalar>& x,
@@ -43,7 +43,7 @@ struct SkidSteer {
 
     [[nodiscard]] MotionStep<Scalar, 2> linearize(const Pose<Scalar>& x,
                                                   const Vector<Scalar, 2>& u) const noexcept {
-        const BodyVelocity<Scalar> body{dt_s};
+        const PlanarVelocity<Scalar> body{dt_s};
         const auto step = body.linearize(x, Vector<Scalar, 3>(coefficients * u));
         return {step.next, step.a, step.b * coefficients};
     }
