@@ -1,17 +1,16 @@
 #pragma once
 /// \file
-/// A pose that explains what was seen, and how well it does.
+/// Poses that explain what was seen, and how well they do.
 
 #include <cstdint>
 
-#include "pilotage/filter/ldlt.hpp"
 #include "pilotage/state.hpp"
 
 namespace pilotage {
 
 struct Hypothesis {
     Pose<double> pose{0, 0, 0};    ///< of the robot now, in frame map
-    Matrix<double, 3> covariance;  ///< inverse Hessian of the robust fit
+    Matrix<double, 3> covariance;  ///< of the robust fit: inverse Hessian, and drift
     /// Logarithm of the probability density of all that was seen if the robot is somewhere here:
     /// Laplace's approximation, the log-likelihoods' sum + 0.5 log det(2 pi covariance) -
     /// log(volume of all poses).
@@ -33,10 +32,17 @@ struct Hypothesis {
     }
 };
 
-/// Whether two poses are one as far as the first one's covariance can tell.
-[[nodiscard]] inline bool same(const Hypothesis& a, const Pose<double>& pose,
-                               double squared_sigmas) noexcept {
-    return Ldlt<double, 3>(a.covariance).squared_norm(minus(pose, a.pose)) < squared_sigmas;
-}
+/// What a search found, best gain first.
+struct Hypotheses {
+    static constexpr int kMost = 8;
+
+    const Hypothesis* first = nullptr;
+    int count = 0;
+    bool whole = true;  ///< else part of the map was not looked at
+
+    [[nodiscard]] const Hypothesis* begin() const noexcept { return first; }
+    [[nodiscard]] const Hypothesis* end() const noexcept { return first + count; }
+    [[nodiscard]] const Hypothesis& operator[](int i) const noexcept { return first[i]; }
+};
 
 }  // namespace pilotage
