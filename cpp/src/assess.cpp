@@ -32,7 +32,7 @@ Assessment assess(const Track<Scalar, N>& track, const Params& params, double si
                                 double(judging::kFrames)}
                    : Assessment{Status::waiting, Reason::no_pose, 0, 0};
     if (j.finding == Finding::elsewhere)
-        return {Status::lost, Reason::elsewhere, j.margin, judging::kSuspicious};
+        return {Status::lost, Reason::elsewhere, j.margin, judging::kDecisive};
     if (agreement.disagrees())
         return {track.confirmed ? Status::lost : Status::initializing, Reason::disagreement,
                 agreement.mean(), Agreement::kTooMuch};

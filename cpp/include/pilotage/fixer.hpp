@@ -37,7 +37,7 @@ class Fixer {
     /// How many of the latest sightings of each marker to do it with.
     [[nodiscard]] static int evidence_wanted(const Track& track) noexcept {
         constexpr int few = 6;  // where the robot may have been carried off, or its motion is wrong
-        return track.confirmed ? few : PoseSearch::kMostEvidence;
+        return track.confirmed ? few : Evidence::kMost;
     }
     /// Looks for them, and takes the one that the judge prefers to the estimate.
     /// \param newest_first sightings since track.evidence_since
