@@ -7,6 +7,7 @@
 #include "pilotage/examine.hpp"
 #include "pilotage/fuse_fix.hpp"
 #include "pilotage/fuse_sighting.hpp"
+#include "pilotage/search/occam.hpp"
 #include "pilotage/sighting_report.hpp"
 
 namespace pilotage {
@@ -17,6 +18,7 @@ constexpr std::int64_t kSearchPeriod_us = 90'000;
 constexpr double kNowhere = 1e9;  // NIS of a sighting that no marker is near
 // A restored pose is from before the robot was switched off; so many nats speak against it.
 constexpr double kRestored = 3;
+constexpr double kDearest = -50;  // nats, of a pose that was given without any doubt
 
 /// Of one component's innovation. What else there is, as of the survey and of a bend, is neither's.
 struct Variances {
@@ -201,6 +203,9 @@ void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int co
                 track.restored ? -kRestored : 0,
                 std::min(judging::kMarkers, static_cast<int>(map_.markers().size()))};
     for (int i = 0; i < count; ++i) claim.log_evidence += newest_first[i].log_likelihood;
+    // What made the estimate sure is no longer among them, and without it it is one of many poses.
+    if (count == Evidence::kMost)
+        claim.log_evidence += std::fmax(kDearest, log_occam(track.covariance(), Site(map_)));
     const Pose<double> odometry = track.odometry();
     Pose<double> guesses[Ideas::kMost];
     const int guessed = track.judgement.ideas.recall(odometry, guesses);

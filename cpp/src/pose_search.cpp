@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pilotage/search/common_drift.hpp"
+#include "pilotage/search/occam.hpp"
 
 namespace pilotage {
 
@@ -116,10 +117,8 @@ void PoseSearch::consider(const Frame& robot, int most_strange) noexcept {
 Hypothesis PoseSearch::judge(const PoseFit& fit) const noexcept {
     Hypothesis result;
     result.pose = fit.pose;
-    const Ldlt<double, 3> information(fit.information);
-    result.covariance = information.inverse();
-    const double occam = (3 * std::log(2 * kPi<double>) - std::log(information.determinant())) / 2 -
-                         site_.log_volume();
+    result.covariance = Ldlt<double, 3>(fit.information).inverse();
+    const double occam = log_occam(result.covariance, site_);
     const Frame robot(fit.pose);
     CommonDrift drift;
     double sum = 0;
