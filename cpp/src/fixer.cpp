@@ -202,7 +202,14 @@ void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int co
                 track.covariance(),
                 track.restored ? -kRestored : 0,
                 std::min(judging::kMarkers, static_cast<int>(map_.markers().size()))};
-    for (int i = 0; i < count; ++i) claim.log_evidence += newest_first[i].log_likelihood;
+    Evidence evidence[Evidence::kMost];
+    count = std::min(count, Evidence::kMost);
+    for (int i = 0; i < count; ++i) {
+        claim.log_evidence += newest_first[i].log_likelihood;
+        evidence[i] = newest_first[i];
+        // Of an estimate that has to prove itself, what explains as much is a rival as well.
+        if (!track.confirmed) evidence[i].log_likelihood = NAN;
+    }
     // What made the estimate sure is no longer among them, and without it it is one of many poses.
     if (count == Evidence::kMost)
         claim.log_evidence += std::fmax(kDearest, log_occam(track.covariance(), Site(map_)));
@@ -210,7 +217,7 @@ void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int co
     Pose<double> guesses[Ideas::kMost];
     const int guessed = track.judgement.ideas.recall(odometry, guesses);
     const Hypotheses found =
-        search.run(newest_first, count, guesses, guessed, static_cast<std::uint64_t>(track.utime));
+        search.run(evidence, count, guesses, guessed, static_cast<std::uint64_t>(track.utime));
     const Hypothesis* winner = judge(track.judgement, claim, found, odometry);
     track.judgement.ideas.remember(found, odometry);
     if (winner != nullptr) {
