@@ -225,7 +225,9 @@ void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int co
             ++track.resets;
             ++track.found;
         }
-        place(track, winner->pose, winner->covariance);
+        Matrix<double, 3> covariance = winner->covariance;
+        covariance.diagonal() += winner->drift;
+        place(track, winner->pose, covariance);
         track.confirmed = true;
         track.agreed_utime = track.utime;
     } else if (track.located && track.judgement.finding == Finding::fine &&

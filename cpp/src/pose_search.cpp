@@ -144,7 +144,7 @@ Hypothesis PoseSearch::judge(const PoseFit& fit) const noexcept {
         result.sightings = sightings;
         result.markers = markers;
     }
-    result.covariance.diagonal() += drift.variances();
+    result.drift = drift.variances();
     return result;
 }
 

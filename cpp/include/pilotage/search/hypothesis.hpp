@@ -10,7 +10,10 @@ namespace pilotage {
 
 struct Hypothesis {
     Pose<double> pose{0, 0, 0};    ///< of the robot now, in frame map
-    Matrix<double, 3> covariance;  ///< of the robust fit: inverse Hessian, and drift
+    Matrix<double, 3> covariance;  ///< inverse Hessian of the robust fit
+    /// Variances (x, y, heading) that come with what went wrong on the way of all older sightings.
+    /// They are of the pose that is taken; whether two explanations are the same is told without.
+    Pose<double> drift{0, 0, 0};
     /// Logarithm of the probability density of all that was seen if the robot is somewhere here:
     /// Laplace's approximation, the log-likelihoods' sum + 0.5 log det(2 pi covariance) -
     /// log(volume of all poses).
