@@ -44,8 +44,8 @@ class PoseSearch {
     static constexpr int kRefined = 16;     // at most
     /// Bound on the work of proposing for each marker of the map, counted in markers looked at; a
     /// sighting or a set of sightings counts as kWork more.
-    static constexpr int kMostWork = 16'000, kWork = 10;
-    static constexpr int kMostMarkers = 75;  // of a larger map a part is tried in each run
+    static constexpr int kMostWork = 64'000, kWork = 10;
+    static constexpr int kMostMarkers = 30;  // of a larger map a part is tried in each run
 
     void allow_tilt(View& view) const noexcept;
     void take(const Evidence* newest_first, int count) noexcept;
