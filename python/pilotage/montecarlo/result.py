@@ -80,7 +80,7 @@ class MonteCarlo:
     @property
     def kidnapped(self) -> bool:
         """Whether the robot is carried away."""
-        return bool((self.trials.kidnapped < len(self.time_s)).any())
+        return bool((self.trials.kidnap_index < len(self.time_s)).any())
 
     @property
     def runs(self) -> int:
@@ -163,15 +163,15 @@ class MonteCarlo:
     @cached_property
     def honest(self) -> NDArray[np.bool_]:
         """(n,) not wrong and OK once three frames have shown two markers since the kidnap."""
-        pairs, kidnapped = self.trials.pairs, self.trials.kidnapped
-        before = pairs[np.arange(self.runs), np.minimum(kidnapped, pairs.shape[1] - 1)]
+        pairs, index = self.trials.pairs, self.trials.kidnap_index
+        before = pairs[np.arange(self.runs), np.minimum(index, pairs.shape[1] - 1)]
         told = self._after & (pairs - before[:, None] >= 3)
         return np.asarray(~(told & self.wrong_ok).any(axis=1))
 
     @property
     def _after(self) -> NDArray[np.bool_]:
         """(n, g) whether the kidnap has been."""
-        return np.asarray(np.arange(len(self.time_s)) >= self.trials.kidnapped[:, None])
+        return np.asarray(np.arange(len(self.time_s)) >= self.trials.kidnap_index[:, None])
 
     def save(self, folder: Path) -> None:
         """Write `montecarlo.json` and `montecarlo.png`."""

@@ -27,7 +27,7 @@ def _result(**changes: Any) -> MonteCarlo:
         "in_view": np.full((1, G), 2),
         "pairs": every[None],
         "triples": every[None],
-        "kidnapped": np.array([G]),
+        "kidnap_index": np.array([G]),
         "nis": np.ones((1, 1, PARTS, 10)),
         "dof": np.ones((1, 1, PARTS, 10)),
     }
@@ -76,7 +76,7 @@ def test_recovery_counts_the_time_with_two_markers_in_view(ok_again, pairs_seen,
     changes = {
         "status": status,
         "wrong": wrong,
-        "kidnapped": np.array([30]),
+        "kidnap_index": np.array([30]),
         "in_view": np.full((1, G), pairs_seen),
     }
     assert _measured("recovered", **changes) == recovered
@@ -87,7 +87,7 @@ def test_from_the_third_pair_on_it_may_not_be_ok(not_ok_from: int, honest: float
     changes = {
         "status": _when(not_ok_from, 60, LOST, OK).astype(np.int8),
         "wrong": _when(30, 60, True, False),
-        "kidnapped": np.array([30]),
+        "kidnap_index": np.array([30]),
     }
     assert _measured("honest", **changes) == honest
 
