@@ -74,7 +74,7 @@ def draw_ratio(axes: Axes, of: PerDof, name: str, axis: str) -> None:
     axes.axhline(1.0, color=style.INK, linewidth=0.6, linestyle=DASHED)
     axes.plot(time, over_time, color=style.DOT, linewidth=0.9, gid="ratio")
     size = f"{of.mean:.3f}" if of.mean < FAR else f"{of.mean:,.0f}"
-    inside = f"{style.percent(of.inside)} of the time in the band"
+    inside = f"{100.0 * of.inside:.1f} % of the time in the band"
     style.headline(axes, name, f"mean {size}, {inside}")
     style.name_axis(axes.yaxis, axis)
     # A few moments, as those of the start, may leave the panel.

@@ -90,7 +90,7 @@ class Camera:
     mounting: tuple[float, float, float, float] = (0.0, 0.0, 0.226, 0.0)
     """x, y, z [m] and yaw [rad] in the robot frame."""
     sigma: tuple[float, float, float] = (0.048, 0.006, 0.1)
-    """Of bearing, elevation [rad], range [m]; what it does not measure has none that counts."""
+    """Of bearing, elevation [rad], range [m]."""
     rate_hz: float = 2.0
     reach_m: float = 12.0
     half_view_rad: float = np.pi

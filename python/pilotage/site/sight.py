@@ -39,7 +39,7 @@ class Sight:
     components: tuple[str, ...]
     known_by: str
     """How it is known what they are, in words."""
-    mounting: tuple[float, float, float, float]
+    mounting: tuple[float, ...]
     """x, y, z [m] and yaw [rad] in the robot frame."""
     sigmas: dict[str, float]
     """Of each component, rad or m."""
@@ -70,7 +70,7 @@ class Sight:
             name,
             in_order(components or guess or ASSUMED),
             known_by,
-            (value(MOUNTING[0]), value(MOUNTING[1]), value(MOUNTING[2]), value(MOUNTING[3])),
+            tuple(value(key) for key in MOUNTING),
             {component: value(key) for component, key in SIGMAS.items()},
             value("sigma_range_per_m"),
             value("min_distance_m"),

@@ -34,7 +34,7 @@ def test_nees_and_nis_have_their_bands(result: MonteCarlo):
     assert len(artist(nis, "ratio").get_ydata()) == 8
     assert has(nis, "band")
     assert artist(nis, "ratio").get_xdata()[0] == 0.5  # the middle of the first second
-    inside = f"{100 * result.nees.inside:.3g} % of the time in the band"
+    inside = f"{100 * result.nees.inside:.1f} % of the time in the band"
     assert any(inside in text for text in texts(figure))
     assert any(text == "scanner" for text in texts(figure))
 
