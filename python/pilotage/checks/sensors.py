@@ -5,12 +5,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from .. import Config
-from ..site import measured
+from ..sensor_keys import MOUNTING, SIGMAS
+from ..site import guessed
 from .finding import Finding
 
-MOUNTING = ("x_m", "y_m", "z_m", "yaw_rad")
-SMALLEST = {"sigma_bearing_rad": 1e-4, "sigma_elevation_rad": 1e-4, "sigma_range_m": 1e-3}
-"""What a surveyor's total station reaches: no sensor on a robot sees better."""
+SMALLEST = dict(zip(SIGMAS.values(), (1e-4, 1e-4, 1e-3), strict=True))
+"""What a surveyor's total station reaches, rad and m: no sensor on a robot sees better."""
 
 
 def nothing_to_see(config: Config) -> Iterator[Finding]:
@@ -42,14 +42,12 @@ def never_mounted(config: Config) -> Iterator[Finding]:
 
 def noise_by_default(config: Config) -> Iterator[Finding]:
     """Find sensors of which nobody said how well they see."""
-    default = Config()
     for name in config.sensors:
-        keys = [f"sensors.{name}.{sigma}" for sigma in SMALLEST]
-        if all(config[key] == default[key] for key in keys):
+        if not guessed(config, name):
             yield Finding(
                 f"sensors.{name}",
                 "the default noise in every component",
-                f"measure it, and set {', '.join(SMALLEST)}, those that it gives",
+                f"measure it, and set {', '.join(SIGMAS.values())}, those that it gives",
             )
 
 
@@ -71,7 +69,7 @@ def elevation_says_nothing(config: Config) -> Iterator[Finding]:
     heights = config.map.positions[:, 2]
     for name in config.sensors:
         z = f"sensors.{name}.z_m"
-        elevations = "elevation" in measured(config, name)
+        elevations = "elevation" in guessed(config, name)
         if elevations and heights.size and np.all(heights == config[z]):
             yield Finding(
                 z,

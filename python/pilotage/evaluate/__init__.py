@@ -8,6 +8,7 @@ from .consistency import ellipse_scale, mahalanobis_squared, mean_square_band, s
 from .errors import PoseErrors, pose_errors
 from .figures import CellFigures, Required
 from .honesty import Timeline, beyond
+from .means import mean_of_known, root_mean_square
 from .metrics import Counts, Heading, Metrics, Nees, Nis, Position, compute_metrics
 from .outcome import Outcome
 from .run import MapLike, RunLike
@@ -38,11 +39,13 @@ __all__ = [
     "error_rows",
     "interpolate",
     "mahalanobis_squared",
+    "mean_of_known",
     "mean_square_band",
     "pose_errors",
     "read_csv",
     "read_trajectory",
     "read_tum",
+    "root_mean_square",
     "sigma_probability",
     "table_rows",
     "wrap_angle",

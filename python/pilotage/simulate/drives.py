@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import ArcUnicycle
+from .fields import within
 
 STEP_US = 10_000
 """Between motion samples, µs."""
@@ -93,6 +94,7 @@ def spiral(duration_s: float) -> Drive:
 
 def circle(duration_s: float, radius_m: float = 1.5, speed_m_s: float = 0.5) -> Drive:
     """Round the middle of the field."""
+    within("radius_m", radius_m, 1e-3)
     n = round(duration_s * 1e6 / STEP_US)
     start = np.array([radius_m, 0.0, np.pi / 2])
     return drive(start, np.full(n, speed_m_s), np.full(n, speed_m_s / radius_m))
@@ -100,6 +102,8 @@ def circle(duration_s: float, radius_m: float = 1.5, speed_m_s: float = 0.5) -> 
 
 def figure_eight(duration_s: float, radius_m: float = 2.5, speed_m_s: float = 0.8) -> Drive:
     """One circle to the left, one to the right, side by side."""
+    within("radius_m", radius_m, 1e-3)
+    within("speed_m_s", speed_m_s, 1e-3)
     t = np.arange(round(duration_s * 1e6 / STEP_US)) * (STEP_US * 1e-6)
     lap_s = 2 * np.pi * radius_m / speed_m_s
     side = np.where((t // lap_s) % 2 == 0, 1.0, -1.0)

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from ..evaluate import wrap_angle
 from .drives import Drive
+from .fields import within
 
 
 @dataclass(frozen=True)
@@ -17,6 +18,10 @@ class Tilt:
     """Of each of the two."""
     tau_s: float = 0.0
     """Correlation time; 0: new at every motion sample."""
+
+    def __post_init__(self) -> None:
+        within("rms_rad", self.rms_rad, 0.0, 1.0)
+        within("tau_s", self.tau_s, 0.0)
 
     def angles(self, drive: Drive, rng: np.random.Generator) -> NDArray[np.float64]:
         """(n + 1, 2) pitch (nose down) and roll (right side down) [rad] at the drive's stamps."""

@@ -16,15 +16,25 @@ class Surveyed:
     ids: NDArray[np.int32]
     positions: NDArray[np.float64]
     sigmas: NDArray[np.float64]
+    labels: NDArray[np.int32]
 
     @classmethod
     def of(cls, markers: MarkerMap) -> "Surveyed":
         """Take the markers of a map."""
-        return cls(markers.ids, markers.positions, markers.sigmas)
+        return cls(markers.ids, markers.positions, markers.sigmas, markers.labels)
 
     def __call__(self, _: np.random.Generator) -> MarkerMap:
         """Return the map."""
-        return MarkerMap(self.ids, self.positions, self.sigmas)
+        return MarkerMap(self.ids, self.positions, self.sigmas, self.labels)
+
+
+def as_they_stand(surveyed: MarkerMap, rng: np.random.Generator) -> MarkerMap:
+    """Return where the markers are of which that is the survey: off by its sigma in x and in y."""
+    if not surveyed.sigmas.any():
+        return surveyed
+    positions = surveyed.positions.copy()
+    positions[:, :2] += surveyed.sigmas[:, None] * rng.standard_normal((len(surveyed), 2))
+    return MarkerMap(surveyed.ids, positions, surveyed.sigmas, surveyed.labels)
 
 
 def mower_site(rng: np.random.Generator) -> MarkerMap:
