@@ -110,4 +110,7 @@ struct Field {
 /// Checks what no single field can: that the parts fit together. \throws ConfigError
 void check(const Config& config, const std::string& where);
 
+/// What a robot cannot do without, in words; empty if all is there.
+[[nodiscard]] std::string missing(const Config& config);
+
 }  // namespace pilotage

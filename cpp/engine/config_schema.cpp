@@ -411,4 +411,18 @@ void check(const Config& config, const std::string& where) {
             fail(where, std::string("output.") + name + " '" + channel + "' is an input's channel");
 }
 
+std::string missing(const Config& config) {
+    const auto measures = [&](Measures what) {
+        const auto& sensors = config.params.sensors;
+        return std::any_of(sensors.begin(), sensors.begin() + config.params.sensor_count,
+                           [&](const SensorParams& s) { return s.measures == what; });
+    };
+    if (config.params.sensor_count == 0) return "'sensors' is missing: name at least one";
+    if (measures(Measures::markers) && config.map.markers().empty())
+        return "'map' is missing: name a file of markers";
+    if (measures(Measures::walls) && config.walls.walls().empty())
+        return "'walls' is missing: name a file of walls";
+    return "";
+}
+
 }  // namespace pilotage

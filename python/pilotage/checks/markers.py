@@ -35,7 +35,7 @@ def closest(markers: MarkerMap) -> Pair | None:
 
 def markers_too_close(config: Config) -> Iterator[Finding]:
     """Find markers that a sensor cannot tell apart where it sees their neighbours."""
-    return too_close(config.map, [Sight.of(config, name) for name in config.sensors])
+    return too_close(config.map, [Sight.of(config, name) for name in config.marker_sensors])
 
 
 def too_close(markers: MarkerMap, sights: Iterable[Sight]) -> Iterator[Finding]:

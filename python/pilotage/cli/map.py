@@ -124,7 +124,7 @@ def _load(file: Path, config: Path | None) -> "tuple[Config, str]":
             chosen["sensors.assumed.z_m"] = 0.0  # speaking of a sensor adds it, with its defaults
     if len(chosen.map) == 0:
         raise ValueError(f"{file} has no map: name one with map: in it, or check MAP -c {file}")
-    if not chosen.sensors:
+    if not chosen.marker_sensors:
         raise ValueError(
             f"{config or file} has no sensor: name one, sensors: {{camera: {{z_m: 0.3}}}}"
         )

@@ -58,7 +58,7 @@ class Survey:
             Takes the part that is done, 0 to 1.
         """
         report = progress or (lambda done: None)
-        sights = [Sight.of(config, n, reach_m, view_rad, components) for n in config.sensors]
+        sights = [Sight.of(config, n, reach_m, view_rad, components) for n in config.marker_sensors]
         layout = Layout.of(config.map, sights)
         tolerance_m = layout.tolerance_m(sights)
         mirror = not gives_bearings(sights)

@@ -80,9 +80,9 @@ TEST(FixCodecTest, ALieAboutTheLengthIsNoMessage) {
         for (std::size_t size = 8; size < bytes.size(); ++size)
             EXPECT_FALSE(codec->decode(bytes.data(), size, out)) << size;
         for (std::size_t at = 20; at < 24; ++at)  // the name's length
-            for (const std::uint8_t value : {0x7f, 0xff}) {
+            for (const unsigned value : {0x7fU, 0xffU}) {
                 Bytes lie = bytes;
-                lie[at] = value;
+                lie[at] = static_cast<std::uint8_t>(value);
                 EXPECT_FALSE(codec->decode(lie.data(), lie.size(), out));
             }
     }
