@@ -28,7 +28,7 @@ py::object get(Config& config, const std::string& key) {
 
 void set(Config& config, const std::string& key, const py::object& value) {
     const Field f = find(config, key);
-    if (key == "map" || key == "walls") throw py::value_error("set Config." + key + " instead");
+    if (is_map(key)) throw py::value_error("set Config." + key + " instead");
     f.set(py::str(value), "configuration");
 }
 

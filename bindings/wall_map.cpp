@@ -49,7 +49,8 @@ void bind_wall_map(py::module_& m) {
         .def_property_readonly(
             "segments",
             [](const WallMap& map) {
-                py::array_t<double> rows({static_cast<py::ssize_t>(map.walls().size()), py::ssize_t{4}});
+                py::array_t<double> rows(
+                    {static_cast<py::ssize_t>(map.walls().size()), py::ssize_t{4}});
                 double* row = rows.mutable_data();
                 for (const Wall& w : map.walls())
                     for (const double v : {w.from_x_m, w.from_y_m, w.to_x_m, w.to_y_m}) *row++ = v;

@@ -31,8 +31,6 @@ void add_other_sensors(Config& c) {
     field(c, "sensors.gps.measures", "fuzz").set("pose", "fuzz");
     field(c, "sensors.gps.x_m", "fuzz").set("0.5", "fuzz");
     field(c, "sensors.laser.measures", "fuzz").set("walls", "fuzz");
-    c.sensor_inputs[c.sensor_inputs.size() - 2].channel = default_channel(Measures::pose);
-    c.sensor_inputs.back().channel = default_channel(Measures::walls);
     c.walls = WallMap({{-5, -3, 5, -3}, {5, -3, 5, 3}, {5, 3, -5, 3}, {-5, 3, -5, -3}});
 }
 
