@@ -111,10 +111,23 @@ class Config:
     def map(self, arg0: MarkerMap) -> None:
         ...
     @property
+    def marker_sensors(self) -> list[str]:
+        """
+        Names of those that measure markers.
+        """
+    @property
     def sensors(self) -> list[str]:
         """
-        Names of the marker sensors.
+        Names of the sensors.
         """
+    @property
+    def walls(self) -> ...:
+        """
+        The WallMap.
+        """
+    @walls.setter
+    def walls(self, arg0: ...) -> None:
+        ...
 class Recording:
     """
     LCM messages in the order of their arrival, as a log file holds them.
@@ -798,11 +811,18 @@ class WallMap:
     """
     def __init__(self, segments: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         """
-        segments : (n, 4) float, from x, y to x, y in frame map [m], in any order
+        segments : (n, 4) float, from x, y to x, y in frame map [m], in any order; raises ConfigError for a wall without length and for what is not finite
         """
+    def __len__(self) -> int:
+        ...
     def cast(self, poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], angles_rad: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
         """
         Ranges [m] (n, k) to the nearest walls from poses (n, 3) at angles (k,) from their headings; inf where there is no wall.
+        """
+    @property
+    def segments(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (n, 4) float, from x, y to x, y in frame map [m]
         """
 class WallRange:
     """

@@ -1,6 +1,7 @@
 """A robot without any marker, live: satellite navigation, a compass, a dock, walls."""
 
 import math
+import time
 from pathlib import Path
 
 import pytest
@@ -142,8 +143,7 @@ def test_a_message_of_another_kind_of_sensor_is_counted_and_named(tmp_path: Path
         running.send("FIX", half)
         _drive(running, robot, 100)
         running.wait(lambda: "beacon" in running.said and "heading_t" in running.said, "words")
-        running.wait(lambda: running.messages["STATUS"], "a status")
-        inputs = {entry.name: entry for entry in running.messages["STATUS"][-1].inputs}
+        inputs = {entry.name: entry for entry in running.status_after(time.time()).inputs}
         assert {r.reason: r.count for r in inputs["laser"].rejected} == {"wrong_type": 1}
         rejected = {r.reason: r.count for r in inputs["dock"].rejected}
         assert rejected == {"unknown_sensor": 1, "bad_value": 1}
