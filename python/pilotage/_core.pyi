@@ -6,11 +6,7 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
-<<<<<<< HEAD
-__all__: list[str] = ['ArcUnicycle', 'ArcVelocity', 'BodyVelocity', 'CalibratedArc', 'Config', 'ConfigError', 'ConstantVelocity', 'DifferentialDrive', 'EchoEnvelope', 'Ekf3', 'Ekf6', 'Engine', 'EulerVelocity', 'GyroDrive', 'HeadingFix', 'LinearizedVelocity', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'MidpointVelocity', 'MoveAndTurn', 'Policy', 'PoseFix', 'PositionFix', 'Recording', 'RelativePosition', 'Run', 'SkidSteer', 'Speed', 'UpdateReport', 'WallMap', 'WallRange', 'WheelTravel', 'WorldBearing', 'YawRate', 'load_config', 'read_checkpoint', 'read_table', 'relative_position_noise', 'replay']
-=======
-__all__: list[str] = ['ArcUnicycle', 'CalibratedArc', 'Config', 'ConfigError', 'DifferentialDrive', 'Ekf3', 'Ekf5', 'Ekf6', 'Engine', 'GyroDrive', 'LinearKalman', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'Policy', 'Recording', 'Run', 'Ukf3', 'Ukf4', 'Ukf5', 'Ukf6', 'Unscented', 'UpdateReport', 'load_config', 'read_checkpoint', 'read_table', 'replay', 'unscented_transform']
->>>>>>> d-filters
+__all__: list[str] = ['ArcUnicycle', 'ArcVelocity', 'CalibratedArc', 'Config', 'ConfigError', 'ConstantVelocity', 'DifferentialDrive', 'EchoEnvelope', 'Ekf3', 'Ekf5', 'Ekf6', 'Engine', 'EulerVelocity', 'GyroDrive', 'HeadingFix', 'LinearKalman', 'LinearizedVelocity', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'MidpointVelocity', 'MoveAndTurn', 'PlanarVelocity', 'Policy', 'PoseFix', 'PositionFix', 'Recording', 'RelativePosition', 'Run', 'SkidSteer', 'Speed', 'Ukf3', 'Ukf4', 'Ukf5', 'Ukf6', 'Unscented', 'UpdateReport', 'WallMap', 'WallRange', 'WheelTravel', 'WorldBearing', 'YawRate', 'load_config', 'read_checkpoint', 'read_table', 'relative_position_noise', 'replay', 'unscented_transform']
 class ConfigError(ValueError):
     """
     A configuration or map that cannot be used; names file, line, key, value and what was expected.
@@ -444,7 +440,7 @@ class LinearizedVelocity:
         """
         The states (k, n) one step from each of x (k, n), u (k, m).
         """
-class BodyVelocity:
+class PlanarVelocity:
     """
     u = (forward [m/s], leftward [m/s], yaw rate [rad/s]) of the body, held over dt_s.
     """
@@ -920,7 +916,7 @@ class Ekf3:
     def predict(self, model: GyroDrive, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
         ...
     @typing.overload
-    def predict(self, model: MoveAndTurn | EulerVelocity | MidpointVelocity | ArcVelocity | LinearizedVelocity | BodyVelocity | SkidSteer, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+    def predict(self, model: MoveAndTurn | EulerVelocity | MidpointVelocity | ArcVelocity | LinearizedVelocity | PlanarVelocity | SkidSteer, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
         ...
     def propagate(self, next: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], a: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"], b: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 2]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 2]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
         """
@@ -933,7 +929,9 @@ class Ekf3:
         """
     @typing.overload
     def update(self, model: RelativePosition | WorldBearing | WallRange | PositionFix | HeadingFix | PoseFix, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
-        ...
+        """
+        Measurement update. Nothing changes unless the report says accepted.
+        """
     @property
     def covariance(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]:
         """
@@ -980,9 +978,22 @@ class Ekf5:
         """
         The update with innovation (m,) and h (m, 5) given, so that they may be taken at another point.
         """
+    def predict(self, model: ConstantVelocity, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[5, 1]"]) -> None:
+        ...
+    @typing.overload
     def update(self, model: MarkerModel, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
         """
         Measurement update, eqs. 10, 11 and 28 of Kiriy and Buehler 2002 (Joseph form), linearised at the state as it stands. Nothing changes unless the report says accepted.
+        """
+    @typing.overload
+    def update(self, model: RelativePosition | WorldBearing | WallRange | PositionFix | HeadingFix | PoseFix, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        Measurement update. Nothing changes unless the report says accepted.
+        """
+    @typing.overload
+    def update(self, model: Speed | YawRate | WheelTravel, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        Measurement update. Nothing changes unless the report says accepted.
         """
     @property
     def covariance(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[5, 5]"]:
@@ -1083,7 +1094,16 @@ class Ukf3:
     @typing.overload
     def predict(self, model: GyroDrive, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
         ...
+    @typing.overload
+    def predict(self, model: MoveAndTurn | EulerVelocity | MidpointVelocity | ArcVelocity | LinearizedVelocity | PlanarVelocity | SkidSteer, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        ...
+    @typing.overload
     def update(self, model: MarkerModel, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        Measurement update. Nothing changes unless the report says accepted.
+        """
+    @typing.overload
+    def update(self, model: RelativePosition | WorldBearing | WallRange | PositionFix | HeadingFix | PoseFix, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
         """
         Measurement update. Nothing changes unless the report says accepted.
         """
@@ -1125,7 +1145,20 @@ class Ukf5:
     """
     def __init__(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[5, 1]"], p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[5, 5]"], unscented: Unscented = ...) -> None:
         ...
+    def predict(self, model: ConstantVelocity, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], gamma: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[5, 1]"]) -> None:
+        ...
+    @typing.overload
     def update(self, model: MarkerModel, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        Measurement update. Nothing changes unless the report says accepted.
+        """
+    @typing.overload
+    def update(self, model: RelativePosition | WorldBearing | WallRange | PositionFix | HeadingFix | PoseFix, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        Measurement update. Nothing changes unless the report says accepted.
+        """
+    @typing.overload
+    def update(self, model: Speed | YawRate | WheelTravel, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
         """
         Measurement update. Nothing changes unless the report says accepted.
         """
@@ -1141,10 +1174,14 @@ class Ukf5:
         """
 class Ukf4:
     """
-    The unscented filter of four states, none an angle.
+    The unscented filter of four states, none an angle; of an echo's parameters.
     """
     def __init__(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[4, 1]"], p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[4, 4]"], unscented: Unscented = ...) -> None:
         ...
+    def update(self, model: EchoEnvelope, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], r: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], policy: Policy = ...) -> UpdateReport:
+        """
+        Measurement update. Nothing changes unless the report says accepted.
+        """
     @property
     def covariance(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
         """
