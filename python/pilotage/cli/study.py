@@ -8,6 +8,7 @@ import typer
 if TYPE_CHECKING:
     from ..studies.study import Table
 
+
 def study(
     name: Annotated[str, typer.Argument(help="As `pilotage study list` names it, or list.")],
     output: Annotated[
@@ -49,8 +50,13 @@ def print_table(table: "Table") -> None:
     from rich.console import Console
     from rich.table import Table as Drawn
 
-    drawn = Drawn(title=table.title, title_justify="left", box=box.SIMPLE_HEAD, caption=table.note,
-                  caption_justify="left")
+    drawn = Drawn(
+        title=table.title,
+        title_justify="left",
+        box=box.SIMPLE_HEAD,
+        caption=table.note,
+        caption_justify="left",
+    )
     for i, name in enumerate(table.head):
         drawn.add_column(name, justify="left" if i == 0 else "right")
     for row in table.rows:
