@@ -52,10 +52,10 @@ for command in (
     config.config,
     check.check,
     status.status,
+    study.study,
 ):
     app.command()(command)
 app.add_typer(map.app, name="map")
-app.add_typer(study.app, name="study")
 
 
 def main() -> None:
