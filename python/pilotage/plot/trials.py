@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import NullFormatter
 from numpy.typing import NDArray
 
 from ..evaluate import MapLike, wrap_angle
@@ -94,6 +95,8 @@ def rms_figure(rms: Mapping[tuple[str, float], NDArray[np.float64]]) -> Figure:
             )  # fmt: skip
     for axes, (name, unit) in zip(panels, STATES, strict=True):
         style.name_axis(axes.yaxis, f"rms {name} ({unit})")
+        axes.yaxis.set_major_formatter("{x:g}")
+        axes.yaxis.set_minor_formatter(NullFormatter())
     handles = [
         Line2D([], [], color=colour, linestyle=line, label=name)
         for name, colour, line in zip(names, COLOURS, LINES, strict=False)
