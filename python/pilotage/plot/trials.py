@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import NullFormatter
+from matplotlib.ticker import LogLocator, NullFormatter
 from numpy.typing import NDArray
 
 from ..evaluate import MapLike, wrap_angle
@@ -95,6 +95,7 @@ def rms_figure(rms: Mapping[tuple[str, float], NDArray[np.float64]]) -> Figure:
             )  # fmt: skip
     for axes, (name, unit) in zip(panels, STATES, strict=True):
         style.name_axis(axes.yaxis, f"rms {name} ({unit})")
+        axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axes.yaxis.set_major_formatter("{x:g}")
         axes.yaxis.set_minor_formatter(NullFormatter())
     handles = [

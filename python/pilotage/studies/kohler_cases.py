@@ -109,7 +109,7 @@ def both(filters: dict[str, Any]) -> dict[Any, Case]:
     return {(name, part): Case(f, part) for name, f in filters.items() for part in (0.1, 1.0)}
 
 
-RUNS = {"report": 100, "tuned": 20, "mended": 20, "limited": 20, "flaw": 20, "rates": 12}
+RUNS = {"report": 100, "tuned": 40, "mended": 40, "limited": 40, "flaw": 40, "rates": 20}
 CASES: dict[str, dict[Any, Case]] = {  # by table
     "report": {
         (name, reading, part): Case(f, part, sigma)
