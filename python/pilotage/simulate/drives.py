@@ -28,6 +28,9 @@ HALF_LAP = np.array(
 )
 """Of the rounds; two close a lap. End [s], speed [m/s] and turn rate [rad/s] of each part."""
 RAMP_STEPS = 50
+TURNS_S, FIRST_TURN_RAD = 2.0, -1.33
+"""On the spot, before it begins to weave."""
+WEAVE_S, WEAVES_RAD_S = 8.0, 0.5
 _MODEL = ArcUnicycle()
 
 
@@ -125,10 +128,19 @@ def rounds(duration_s: float) -> Drive:
     return drive(np.array([-4.0, -3.5, 0.0]), v, omega)
 
 
+def weaving(duration_s: float, radius_m: float = 1.9, speed_m_s: float = 0.22) -> Drive:
+    """Round the ring of markers, weaving so that a camera ahead sweeps over them."""
+    t = np.arange(round(duration_s * 1e6 / STEP_US)) * (STEP_US * 1e-6)
+    aside = WEAVES_RAD_S * np.cos(2 * np.pi * (t - TURNS_S) / WEAVE_S)
+    omega = np.where(t < TURNS_S, FIRST_TURN_RAD / TURNS_S, speed_m_s / radius_m + aside)
+    return drive(np.array([-2.0, -0.5, 0.0]), np.where(t < TURNS_S, 0.0, speed_m_s), omega)
+
+
 DRIVES: dict[str, Callable[..., Drive]] = {
     "spiral": spiral,
     "circle": circle,
     "figure-eight": figure_eight,
     "rounds": rounds,
+    "weaving": weaving,
 }
 """By the name that a scenario file calls them."""

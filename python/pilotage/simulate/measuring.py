@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import Config, MarkerMap, Recording
-from ..evaluate import TRAJECTORY
+from ..evaluate.trajectory import trajectory
 from ..sensor_keys import MOUNTING, SIGMAS
 from .drives import Drive
 from .labels import add_labelled
@@ -92,11 +92,7 @@ class Measured:
 
     def truth(self) -> NDArray[np.void]:
         """Return the true trajectory, rows of `evaluate.TRAJECTORY`."""
-        truth = np.empty(len(self.drive.utime), TRAJECTORY)
-        truth["utime"] = self.drive.utime
-        for name, column in zip(("x", "y", "heading"), self.drive.pose.T, strict=True):
-            truth[name] = column
-        return truth
+        return trajectory(self.drive.utime, self.drive.pose)
 
 
 def measure(scenario: Scenario, rng: np.random.Generator) -> Measured:

@@ -77,6 +77,13 @@ def yard() -> MarkerMap:
     return MarkerMap(np.arange(10), np.column_stack([xy, np.full(10, 0.5)]))
 
 
+def ring(radius_m: float = 2.8) -> MarkerMap:
+    """Six markers on the wall of a round arena, at the height of a small robot's camera."""
+    angle = np.pi / 9 + np.arange(6) * np.pi / 3
+    xy = radius_m * np.column_stack([np.cos(angle), np.sin(angle)])
+    return MarkerMap(np.arange(6), np.column_stack([xy, np.full(6, 0.1)]))
+
+
 def _on_ground(xy: np.ndarray) -> MarkerMap:
     return MarkerMap(np.arange(len(xy)), np.column_stack([xy, np.zeros(len(xy))]))
 
@@ -86,5 +93,6 @@ SITES: dict[str, Callable[[np.random.Generator], MarkerMap]] = {
     "four-poles": lambda _: four_poles(),
     "hall": hall,
     "yard": lambda _: yard(),
+    "ring": lambda _: ring(),
 }
 """By the name that a scenario file calls them."""
