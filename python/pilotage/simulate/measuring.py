@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import Config, MarkerMap, Recording
-from ..evaluate import TRAJECTORY
 from .drives import Drive
 from .scenario import Scenario
 from .streams import Stream
@@ -74,11 +73,7 @@ class Measured:
 
     def truth(self) -> NDArray[np.void]:
         """Return the true trajectory, rows of `evaluate.TRAJECTORY`."""
-        truth = np.empty(len(self.drive.utime), TRAJECTORY)
-        truth["utime"] = self.drive.utime
-        for name, column in zip(("x", "y", "heading"), self.drive.pose.T, strict=True):
-            truth[name] = column
-        return truth
+        return self.drive.truth()
 
 
 def measure(scenario: Scenario, rng: np.random.Generator) -> Measured:
