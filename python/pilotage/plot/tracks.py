@@ -21,6 +21,8 @@ ELLIPSE_STEPS = 50
 SQUARE_STEPS = 5
 """From one square to the next."""
 MARGIN_M = 0.6
+POLES = (style.ESTIMATE, style.MARKER, "#009e73", "#cc79a7")
+"""Colours of the estimates while each of them is in view."""
 
 
 def tracks_figure(world: World, tracks: Mapping[str, NDArray[Any]]) -> Figure:
@@ -110,7 +112,7 @@ def _draw_estimates(axes: Axes, poses: NDArray[Any], pole: NDArray[np.intp]) -> 
 
 
 def _colour(pole: int) -> str:
-    return style.FAINT if pole < 0 else (style.ESTIMATE, style.MARKER, "#009e73", "#cc79a7")[pole]
+    return style.FAINT if pole < 0 else POLES[pole]
 
 
 def _xy(rows: NDArray[Any]) -> NDArray[np.float64]:

@@ -94,7 +94,7 @@ FILTERS: dict[str, Callable[[World], NDArray[Any]]] = {
     "ours": ours,
     "ours, told nothing": partial(ours, told=False),
     "eq. 15 as printed": partial(papers, noise=printed_noise),
-    "gate of 0.999": partial(papers, policy=Policy.gate(0.001)),
+    "gate at 0.999": partial(papers, policy=Policy.gate(0.001)),
     "Student-t of 4": partial(papers, policy=Policy.student_t()),
 }
 

@@ -37,13 +37,13 @@ def noise_table(sigmas: NDArray[np.float64]) -> Table:
     low, high = np.percentile(sigmas, (2.5, 97.5), axis=0)
     paper = (CAMERA.sigma_per_m, CAMERA.sigma_bearing_rad)
     return Table(
-        "Noise of 1000 measurements by a robot that stands in 10 places",
+        "Noise, from 1000 measurements at rest in 10 places",
         ("sdv", "the paper's", "ours", f"95 % of {len(sigmas)} sets"),
         [
             (name, paper[i], f"{sigmas[0, i]:.4f}", f"{low[i]:.4f} to {high[i]:.4f}")
             for i, name in enumerate(("distance (m/m)", "angle (rad)"))
         ],
-        "The simulation draws from the paper's, so this says how well 1000 measurements tell them.",
+        "The simulation draws from the paper's.",
     )
 
 
@@ -103,7 +103,10 @@ def printed_table(found: Found) -> Table:
     return Table(
         "The paper's filter otherwise: RMS position error at the end (m)",
         ("filter", *PRINTED_IN),
-        [(name, *(found[run][name].end_m for run in PRINTED_IN)) for name in (PAPERS, *VARIANTS)],
+        [
+            (name, *(f"{found[run][name].end_m:.2f}" for run in PRINTED_IN))
+            for name in (PAPERS, *VARIANTS)
+        ],
         f"R_xy of a pole 4 m off at 45°: {xy:.4f} m², with eq. 15 as printed {printed:.4f} m².",
     )
 

@@ -92,7 +92,7 @@ def test_the_papers_filter_converges_on_the_stopped_robot_from_4_m_off():
 def test_a_gate_locks_out_the_start_that_its_covariance_calls_impossible():
     """4 m are 126 sigma of P(0) = 1e-3 I: the paper's own runs must do without a gate."""
     assert np.isclose(4.0 / filters.START_VARIANCE**0.5, 126.5, atol=0.1)
-    assert end_errors("stopped, in turn", "gate of 0.999", 2).min() > 3.9
+    assert end_errors("stopped, in turn", "gate at 0.999", 2).min() > 3.9
     slowly, papers = (
         courses("stopped, in turn", [name], 1, range(2))[0].settling_s(0.2)
         for name in ("Student-t of 4", "the paper's")
