@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import ArcUnicycle
+from ..evaluate.trajectory import trajectory
 from .fields import within
 
 STEP_US = 10_000
@@ -63,6 +64,10 @@ class Drive:
         onward = _MODEL.path(pose, self.increments[k:])
         return replace(self, pose=np.concatenate([self.pose[:k], onward]))
 
+    def truth(self) -> NDArray[np.void]:
+        """Return the poses at the stamps, rows of `evaluate.TRAJECTORY`."""
+        return trajectory(self.utime, self.pose)
+
     @property
     def increments(self) -> NDArray[np.float64]:
         """(n, 2) distance [m] and turn [rad] between the stamps."""
@@ -70,10 +75,15 @@ class Drive:
         return np.column_stack([self.v * dt, self.omega * dt])
 
 
-def drive(start: NDArray[np.float64], v: NDArray[np.float64], omega: NDArray[np.float64]) -> Drive:
-    """Step the core's motion model through the rates, `STEP_US` each."""
-    utime = np.arange(len(v) + 1, dtype=np.int64) * STEP_US + 1_000_000
-    pose = _MODEL.path(start, np.column_stack([v, omega]) * (STEP_US * 1e-6))
+def drive(
+    start: NDArray[np.float64],
+    v: NDArray[np.float64],
+    omega: NDArray[np.float64],
+    step_us: int = STEP_US,
+) -> Drive:
+    """Step the core's motion model through the rates, `step_us` each."""
+    utime = np.arange(len(v) + 1, dtype=np.int64) * step_us + 1_000_000
+    pose = _MODEL.path(start, np.column_stack([v, omega]) * (step_us * 1e-6))
     return Drive(utime, v, omega, pose)
 
 

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import Config, MarkerMap, Recording
-from ..evaluate.trajectory import trajectory
 from ..sensor_keys import MOUNTING, SIGMAS
 from .drives import Drive
 from .labels import add_labelled
@@ -92,7 +91,7 @@ class Measured:
 
     def truth(self) -> NDArray[np.void]:
         """Return the true trajectory, rows of `evaluate.TRAJECTORY`."""
-        return trajectory(self.drive.utime, self.drive.pose)
+        return self.drive.truth()
 
 
 def measure(scenario: Scenario, rng: np.random.Generator) -> Measured:
