@@ -84,14 +84,19 @@ def filter_errors_figure(
             axes.plot(*envelope(time, part), color=color, linewidth=width, label=name)
     style.name_axis(panels[0].yaxis, "position error (m)")
     style.name_axis(panels[1].yaxis, "heading error (deg)")
-    # What went astray leaves the panels; the others are to be read.
-    for axes, scale in zip(panels, (1.0, 0.0), strict=True):
-        sizes = {line.get_label(): np.nanmax(np.abs(line.get_ydata())) for line in axes.lines}
-        limit = 2.0 * sorted(sizes.values())[(len(sizes) - 1) // 2]
-        axes.set_ylim((scale - 1.0) * limit, limit)
-        beyond = [f"{name}: up to {size:.0f}" for name, size in sizes.items() if size > limit]
-        style.headline(axes, "", "; ".join(beyond))
+    limits = [_limit(axes, unit) for axes, unit in zip(panels, ("m", "deg"), strict=True)]
+    panels[0].set_ylim(0.0, limits[0])
+    panels[1].set_ylim(-limits[1], limits[1])
     return _finished(figure, panels, window_s, filters)
+
+
+def _limit(axes: Axes, unit: str) -> float:
+    """Return twice the middle of the filters' largest errors, and say who leaves the panel."""
+    sizes = {line.get_label(): np.nanmax(np.abs(line.get_ydata())) for line in axes.lines}
+    limit = 2.0 * float(np.median(list(sizes.values())))
+    beyond = [f"{name}: up to {size:.0f} {unit}" for name, size in sizes.items() if size > limit]
+    style.headline(axes, "", "; ".join(beyond))
+    return limit
 
 
 def _finished(
