@@ -18,6 +18,7 @@ from pilotage.studies.kiriy_buehler import (
 from pilotage.studies.kiriy_listing import INPUT_NOISE, PROCESS_NOISE, TRACK_WIDTH_M, Mends
 from pilotage.studies.kiriy_runs import (
     DEFAULTS,
+    EKFS,
     WISHES,
     Wish,
     drive_log,
@@ -57,6 +58,13 @@ def test_a_run_depends_on_seed_and_number_alone(found):
     alone = one_run(3, 1, False)
     for name, values in alone.items():
         assert found.results["of_each_run"][name][1] == pytest.approx(values, abs=0.0), name
+
+
+def test_velocities_in_the_state_leave_the_pose_as_it_is(found):
+    pose, velocities = (found.results["of_each_run"][name][0] for name in EKFS)
+    assert velocities[0] == pytest.approx(pose[0], rel=0.25)
+    assert velocities[0] != pose[0]
+    assert pose[0] < 0.6
 
 
 def test_our_defaults_keep_the_bar():
