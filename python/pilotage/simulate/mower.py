@@ -1,4 +1,4 @@
-"""The first paper's experiment: 549 s inwards over 28 markers, 155 to 187 sightings, at 100 Hz or so.
+"""The first paper's experiment: 549 s inwards over 28 markers, 155 to 187 sightings, at 99 Hz.
 
 Kiriy and Buehler 2002, sections 1 to 4. The noise of wheels and gyro is that of the recording
 `mower-listing`, found by holding its columns against its truth; the angles' is eq. 30.
