@@ -11,7 +11,7 @@ from .honesty import Timeline, beyond
 from .means import mean_of_known, root_mean_square
 from .metrics import Counts, Heading, Metrics, Nees, Nis, Position, compute_metrics
 from .outcome import Outcome
-from .run import MapLike, RunLike
+from .run import HasPoses, MapLike, RunLike
 from .table import Row, error_rows, table_rows
 from .trajectory import TRAJECTORY, read_csv, read_trajectory, read_tum
 from .truth import MAX_GAP_S, interpolate
@@ -21,6 +21,7 @@ __all__ = [
     "TRAJECTORY",
     "CellFigures",
     "Counts",
+    "HasPoses",
     "Heading",
     "MapLike",
     "Metrics",

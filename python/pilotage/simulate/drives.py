@@ -14,6 +14,7 @@ STEP_US = 10_000
 """Between motion samples, µs."""
 HELD_STEPS = 25
 """For so many steps the spiral's rates hold."""
+OVALS = 6
 STANDS_FIRST_S = 3.0
 """Before the rounds begin."""
 HALF_LAP = np.array(
@@ -105,6 +106,17 @@ def spiral(duration_s: float) -> Drive:
     return drive(np.array([0.0, -1.3 * radius[0], 0.0]), v, omega)
 
 
+def inward_spiral(duration_s: float) -> Drive:
+    """Six ovals, ever narrower and slower, from 34 m by 52 m to a third: a lawn mown inwards."""
+    t = np.arange(round(duration_s * 1e6 / STEP_US) + 2) * (STEP_US * 1e-6 / duration_s)
+    angle, size = 2 * np.pi * OVALS * t, 1.0 - 0.68 * t
+    xy = size[:, None] * np.column_stack([17.0 * np.cos(angle), 26.0 * np.sin(angle)])
+    along = np.diff(xy, axis=0)
+    heading = np.unwrap(np.arctan2(along[:, 1], along[:, 0]))
+    v, omega = np.hypot(*along[:-1].T), np.diff(heading)
+    return drive(np.append(xy[0], heading[0]), *np.stack([v, omega]) / (STEP_US * 1e-6))
+
+
 def circle(duration_s: float, radius_m: float = 1.5, speed_m_s: float = 0.5) -> Drive:
     """Round the middle of the field."""
     within("radius_m", radius_m, 1e-3)
@@ -152,5 +164,6 @@ DRIVES: dict[str, Callable[..., Drive]] = {
     "figure-eight": figure_eight,
     "rounds": rounds,
     "weaving": weaving,
+    "inward-spiral": inward_spiral,
 }
 """By the name that a scenario file calls them."""

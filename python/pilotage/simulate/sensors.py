@@ -11,6 +11,7 @@ from ..sensor_keys import COMPONENTS, SIGMAS, in_order
 from .drives import Drive
 from .fields import within
 from .tilt import tilted
+from .wander import gauss_markov
 
 FASTEST_HZ = 1e4
 """More frames a second than any sensor gives, and than microseconds tell apart well."""
@@ -29,6 +30,10 @@ class Encoders:
     """Measured over true travel of the left and the right wheel, as by a tyre's wear."""
     scale_sigma: float = 0.01
     """How well the scale of both is known beforehand; 0: exactly."""
+    wander: float = 0.0
+    """Part of its travel by which each wheel's comes out wrong, as by slip that comes and goes."""
+    wander_s: float = 20.0
+    """For how long: its correlation time."""
 
     def __post_init__(self) -> None:
         within("track_width_m", self.track_width_m, 1e-3, 1e3)
@@ -49,6 +54,9 @@ class Encoders:
     def ticks(self, drive: Drive, rng: np.random.Generator) -> NDArray[np.int64]:
         """(n + 1, 2) absolute ticks, left and right, at the drive's stamps."""
         travel = self.travel(drive)
+        if self.wander > 0.0:
+            step_s = float(drive.utime[1] - drive.utime[0]) * 1e-6
+            travel *= 1.0 + gauss_markov(self.wander, self.wander_s, step_s, travel.shape, rng)
         travel += np.sqrt(self.variance(travel)) * rng.standard_normal(travel.shape)
         total = np.vstack([np.zeros((1, 2)), np.cumsum(travel, axis=0)])
         return np.rint(total / self.m_per_tick).astype(np.int64)
