@@ -36,7 +36,6 @@ class CommandedRobot:
 
     def sense(self, command: Sense) -> float:
         """Return what the range finder reads, m; inf where there is no wall."""
-        distance = self._walls.cast(self.pose[None], [command.angle_rad])[0, 0]
-        sigma = self._problem.range_ratio * distance
-        noise = float(self._rng.standard_normal())
-        return float(max(distance + sigma * noise, 0.0)) if np.isfinite(sigma) else np.inf
+        distance = float(self._walls.cast(self.pose[None], [command.angle_rad])[0, 0])
+        error = self._problem.range_ratio * float(self._rng.standard_normal())
+        return max(distance * (1.0 + error), 0.0)

@@ -52,7 +52,9 @@ def told_beam(step: Sensed) -> str:
 def told_revision(step: Sensed) -> str:
     """Tell what the range changed."""
     if step.fault:
-        return f"The range is not used: {FAULTS[step.fault]}."
+        blind = "the range finder meets no wall"
+        why = FAULTS[step.fault] if np.isfinite(step.range_m) else blind
+        return f"The range is not used: {why}."
     return (
         f"Revised state estimate: (x, y, theta) = {_pose(step.after.state)}\n"
         f"Revised covariance matrix is:\n{_matrix(step.after.covariance)}\n"
