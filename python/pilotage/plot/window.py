@@ -25,5 +25,6 @@ def put_in_window(name: str, figure: Figure) -> None:
             f"there is no display to show figures on (matplotlib draws with {plt.get_backend()}); "
             "without --show everything works"
         )
+    figure.set_label(name)  # by which pyplot finds the window
     canvas.figure = figure
     figure.set_canvas(canvas)

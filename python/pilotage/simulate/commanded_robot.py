@@ -38,4 +38,4 @@ class CommandedRobot:
         """Return what the range finder reads, m; inf where there is no wall."""
         distance = float(self._walls.cast(self.pose[None], [command.angle_rad])[0, 0])
         error = self._problem.range_ratio * float(self._rng.standard_normal())
-        return max(distance * (1.0 + error), 0.0)
+        return max(distance * (1.0 + error), 0.0) if np.isfinite(distance) else distance

@@ -3,10 +3,11 @@
 import matplotlib.pyplot as plt
 import pytest
 from matplotlib.backend_bases import KeyEvent
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
-from pilotage.plot.stepping import animate, step_by_key
+from pilotage.plot.stepping import animate, step_by_key, step_in_window
 from pilotage.plot.window import put_in_window
 
 
@@ -58,6 +59,23 @@ def test_an_animation_has_every_picture(tmp_path):
 def test_an_animation_of_another_kind_is_refused(tmp_path):
     with pytest.raises(ValueError, match=r"out\.mp4.*expected one that ends in \.gif"):
         animate(Figure(), lambda k: None, 1, tmp_path / "out.mp4")
+
+
+def test_a_window_is_stepped_through_and_closed(monkeypatch):
+    plt.switch_backend("agg")  # with a display that is not there
+    monkeypatch.setattr(FigureCanvasAgg, "required_interactive_framework", "none", raising=False)
+    figure, pictures, open_after = Figure(), [], []
+
+    def show() -> None:
+        for key in "nnq":
+            canvas = plt.figure("steps").canvas  # the window's own
+            canvas.callbacks.process("key_press_event", KeyEvent("key_press_event", canvas, key))
+        open_after.extend(plt.get_fignums())
+
+    monkeypatch.setattr(plt, "show", show)
+    step_in_window("steps", figure, pictures.append, 3)
+    assert pictures == [0, 1, 2]
+    assert open_after == []
 
 
 def test_without_a_display_it_is_said():
