@@ -110,14 +110,14 @@ def test_ranges_to_the_sides_teach_across_and_the_heading_but_nothing_along():
 @pytest.mark.parametrize("seed", [1, 2])
 def test_on_a_tour_the_estimate_stays_with_the_truth(seed):
     weighted = ends("tour", WEIGHTED, seed, RUNS)
-    assert weighted.lost <= 0.01
+    assert weighted.lost <= 0.02
     assert weighted.position_m <= 0.1 * ends("tour", MOVES, seed, RUNS).position_m
 
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_a_wide_heading_is_more_than_the_extended_filter_can_say(seed):
     assert ends("spread", ASSIGNED, seed, RUNS).in_ellipse(PROBABILITY) <= 0.85
-    assert 0.91 <= ends("spread", UNSCENTED, seed, RUNS).in_ellipse(PROBABILITY) <= 0.985
+    assert 0.90 <= ends("spread", UNSCENTED, seed, RUNS).in_ellipse(PROBABILITY) <= 0.985
 
 
 @pytest.mark.parametrize("seed", [1, 2])
