@@ -5,6 +5,7 @@ import sys
 import typer
 
 from . import (
+    assignment,
     check,
     config,
     convert,
@@ -53,6 +54,7 @@ for command in (
     check.check,
     status.status,
     study.study,
+    assignment.assignment,
 ):
     app.command()(command)
 app.add_typer(map.app, name="map")

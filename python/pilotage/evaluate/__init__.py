@@ -5,6 +5,8 @@ This package imports numpy only, so that a replay starts quickly; nothing here p
 
 from .angles import wrap_angle
 from .consistency import ellipse_scale, mahalanobis_squared, mean_square_band, sigma_probability
+from .ellipse import ellipse_axes
+from .ensemble import Ensemble
 from .errors import PoseErrors, pose_errors
 from .figures import CellFigures, Required
 from .honesty import Timeline, beyond
@@ -21,6 +23,7 @@ __all__ = [
     "TRAJECTORY",
     "CellFigures",
     "Counts",
+    "Ensemble",
     "HasPoses",
     "Heading",
     "MapLike",
@@ -36,6 +39,7 @@ __all__ = [
     "Timeline",
     "beyond",
     "compute_metrics",
+    "ellipse_axes",
     "ellipse_scale",
     "error_rows",
     "interpolate",
