@@ -41,13 +41,13 @@ def echo_figure(
         handles.append(drawn)
     axes.set_xlim(ms[0], ms[-1])
     style.name_axis(axes.xaxis, "time since the ping (ms)")
-    style.name_axis(axes.yaxis, "amplitude (highest of the first echo = 1)")
+    style.name_axis(axes.yaxis, "amplitude (first echo: 1)")
     style.legend(figure, handles)
     return figure
 
 
 def against_noise_figure(errors: Mapping[str, Line], bounds: Mapping[str, Line]) -> Figure:
-    """Draw errors [µs] over the peak signal-to-noise ratio [dB], with the bounds as dashed lines."""
+    """Draw errors [µs] over the peak signal-to-noise ratio [dB], and the bounds as broken lines."""
     figure = style.canvas(3.3)
     axes = figure.subplots()
     style.dress(axes)

@@ -88,7 +88,7 @@ def transform(request: Request) -> Findings:
         "Figure 2: r = 1 m ± 2 %, bearing 90° ± 15°, in the plane",
         ["", "mean y (m)", "var x (m²)", "var y (m²)", "mean off", "var x off", "var y off"],
         rows,
-        "The paper has the true mean at (0, 1) and the unscented covariance circular: neither is so.",
+        "The paper has the true mean at (0, 1) and the covariance circular: neither is so.",
     )
 
     def draw() -> "Figure":

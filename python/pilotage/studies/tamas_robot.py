@@ -115,7 +115,7 @@ def printed_odometry() -> Findings:
     once = np.degrees(np.arctan(np.pi / 2.0))
     table = Table(
         "Eqs. 31 to 33 on a perfect robot: what the printed form loses in two laps",
-        ["wheels read every", "a corner loses", "end off, printed", "without arctan", "mid heading"],
+        ["wheels read every", "a corner loses", "end off, printed", "no arctan", "mid heading"],
         rows,
         f"Read once a corner, the arctan makes {once:.1f}° of 90°.",
     )  # fmt: skip
@@ -129,7 +129,7 @@ def paths(lap: Lap, known: Known) -> dict[str, tuple[NDArray[np.float64], float]
         "odometry, 31–35": square.odometry(lap, known.track_width_m),
         "skid steering, 29–30": square.skid_steer(lap, known),
         "gyro and compass, 36–37": inertial,
-        "  with ranges, LKF of x and y": square.linear_position(lap, known, ROBOT, inertial),
+        "  + ranges, LKF of x and y": square.linear_position(lap, known, ROBOT, inertial),
     }
     ways = {name: (pose, np.nan) for name, pose in found.items()}
     for name, kind in (("EKF", Ekf3), ("UKF", Ukf3)):
@@ -183,8 +183,12 @@ def laps(request: Request, known: Known) -> Findings:
     def draw() -> "Figure":
         from ..plot.square import square_figure
 
-        drawn = (names[0], names[2], "UKF: + infrared")
-        return square_figure(WALLS, lap.pose, {n: shown[n][0] for n in drawn})
+        named = {
+            "odometry": names[0],
+            "gyro and compass": names[2],
+            "UKF with ranges and infrared": names[-1],
+        }
+        return square_figure(WALLS, lap.pose, {label: shown[n][0] for label, n in named.items()})
 
     results = {
         n: dict(zip(("position_cm", "heading_deg", "end_cm", "nees_over_3"), m, strict=True))
