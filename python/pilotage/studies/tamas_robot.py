@@ -129,7 +129,7 @@ def paths(lap: Lap, known: Known) -> dict[str, tuple[NDArray[np.float64], float]
         "odometry, 31–35": square.odometry(lap, known.track_width_m),
         "skid steering, 29–30": square.skid_steer(lap, known),
         "gyro and compass, 36–37": inertial,
-        "  + ranges, LKF of x and y": square.linear_position(lap, known, ROBOT, inertial),
+        "  + ranges, LKF of x, y": square.linear_position(lap, known, ROBOT, inertial),
     }
     ways = {name: (pose, np.nan) for name, pose in found.items()}
     for name, kind in (("EKF", Ekf3), ("UKF", Ukf3)):
@@ -171,7 +171,7 @@ def laps(request: Request, known: Known) -> Findings:
     names = list(shown)
     table = Table(
         f"Figure 7: two laps of the 2 m square, RMS over {len(each)} runs",
-        ["", "position (cm)", "worst run", "heading (°)", "at the end (cm)", "NEES / 3"],
+        ["", "position (cm)", "worst (cm)", "heading (°)", "at end (cm)", "NEES / 3"],
         [
             (n, f"{m[0]:.2f}", f"{w:.1f}", f"{m[1]:.2f}", f"{m[2]:.2f}",
              "–" if np.isnan(m[3]) else f"{m[3]:.2f}")

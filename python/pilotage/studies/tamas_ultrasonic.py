@@ -13,7 +13,7 @@ from .study import Findings, Request, Table
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-ECHOES = 400
+ECHOES = 800
 US = 1e6
 MM_PER_S = SPEED_OF_SOUND_M_S / 2.0 * 1e3
 
@@ -28,15 +28,15 @@ def ultrasonic(request: Request) -> Findings:
     }
     at_noise = Table(
         "Time of flight over peak SNR, RMSE (µs; 1 µs is 0.17 mm)",
-        ["SNR", "threshold", "UKF", "ratio", "bound", "UKF, all 4", "bound ± 20 %", "bound, free"],
+        ["SNR", "threshold", "UKF", "ratio", "bound", "all four", "bound ± 20 %", "bound free"],
         [
             (f"{snr} dB", *_us(a.threshold, a.ukf), f"{a.ratio:.2f}", *_us(b0, b.ukf, b1, b2))
             for snr, a, b, b0, b1, b2 in zip(
                 echo.SNR_DB, known, unknown, *bounds.values(), strict=True
             )
         ],
-        "Threshold: half the peak, its mean error taken away. UKF: T and α calibrated. All 4: T and "
-        "α known to 20 %, with the Cramér-Rao bound for that, and for T and α not known at all.",
+        "Threshold: half the peak, its mean error taken away. UKF: T and α calibrated. All four: "
+        "T and α known to 20 %, with the Cramér-Rao bound for that, and for neither known at all.",
     )
     bands = Table(
         "The same at 10 dB behind other band-passes (µs)",
