@@ -6,20 +6,21 @@ is not in the text.
 """
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import MarkerMap, Recording, lcmtypes
+from .. import MarkerMap, Recording
 from ..evaluate import wrap_angle
 from .drives import Drive
+from .labels import add_labelled
+from .measuring import UNKNOWN_ID
 from .sensors import Camera
+from .streams import Stream
 
 PERIOD_US = 40_000
 """Of the camera and of the control cycle, µs."""
 SENSOR = "camera"
-UNKNOWN = -1
 _EYE = Camera(SENSOR, ("bearing", "range"), mounting=(0.0, 0.0, 0.0, 0.0))
 
 
@@ -64,23 +65,17 @@ class Seen:
     def record(self, drive: Drive, poles: MarkerMap, colours_only: bool) -> Recording:
         """Encode them with the drive's rates, with the poles' ids or with their labels alone."""
         recording = Recording()
-        types: Any = lcmtypes  # which are generated, and untyped
         rates = np.stack([drive.v, drive.omega])
         # The first stamp ends no step: its rate is not used.
         recording.add_velocity("VELOCITY", drive.utime, *np.insert(rates, 0, 0.0, axis=1))
-        for k, step in enumerate(np.unique(self.step)):
-            frame = types.marker_frame_t()
-            frame.utime, frame.seq, frame.sensor = int(drive.utime[step]), k, SENSOR
-            for i in np.flatnonzero(self.step == step):
-                sighting = types.marker_sighting_t()
-                sighting.id = UNKNOWN if colours_only else int(poles.ids[self.pole[i]])
-                sighting.label = int(poles.labels[self.pole[i]])
-                sighting.bearing, sighting.range = self.bearing[i], self.distance[i]
-                sighting.elevation = sighting.sigma_bearing = np.nan
-                sighting.sigma_elevation = sighting.sigma_range = np.nan
-                frame.sightings.append(sighting)
-            frame.n = len(frame.sightings)
-            recording.add(frame.utime, "MARKERS", frame.encode())
+        ids = np.full(len(self.pole), UNKNOWN_ID, np.int32)
+        none = np.full(len(self.pole), np.nan)
+        seen = Stream.sent(
+            drive.utime[self.step],
+            np.column_stack([self.bearing, none, self.distance]),
+            ids if colours_only else poles.ids[self.pole],
+        )
+        add_labelled(recording, "MARKERS", SENSOR, seen, poles.labels[self.pole])
         recording.sort()
         return recording
 

@@ -114,7 +114,7 @@ TEST_P(FixTest, AreReportedWithTheirInnovation) {
     const Params params = sensor_params(Measures::pose);
     Robot robot(GetParam(), params);
     robot.add(encoders_at(0, 0, 0));
-    robot.add(fix_at(1, {0.5, kNan + 0, kNan}));
+    robot.add(fix_at(1, {0.5, kNan, kNan}));
     robot.add(fix_at(2, mounted({0.1, 0.2, 0}, params.sensors[0]), 1));
     robot.add(encoders_at(kPeriod, 0, 0));
     ASSERT_EQ(robot.tally.reports.size(), 2U);
