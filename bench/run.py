@@ -14,9 +14,12 @@ import tempfile
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from time import perf_counter
 
 import numpy as np
 
+from pilotage.montecarlo import find_scenario, run_montecarlo
+from pilotage.montecarlo.summary import to_dict
 from pilotage.simulate import SCENARIOS, simulate
 
 HERE = Path(__file__).parent
@@ -102,6 +105,13 @@ def engine(build: Path) -> dict[str, float]:
         return numbers(output_of(build / "bench/bench_engine", config, log))
 
 
+def montecarlo_s(runs: int = 1000) -> float:
+    """The bars' base scenario, of 60 s at 100 Hz, in two processes."""
+    start = perf_counter()
+    to_dict(run_montecarlo(find_scenario("nominal"), runs, jobs=2))
+    return perf_counter() - start
+
+
 def step_rows(ns: dict[str, float], count: dict[str, float]) -> Iterator[Row]:
     for step, name, bar in (("predict", "predict", 260), ("update", "azimuth + elevation", 560)):
         title = f"Ekf<3> {name}"
@@ -165,6 +175,7 @@ def rows(build: Path) -> Iterator[Row]:
     if batch := script("batch.py"):
         rate = batch["samples_per_s"] / million
         yield Row("Localizer.run from Python, three states", rate, "million samples/s", "≥ 10")
+    yield Row("Monte Carlo, 1,000 runs of 60 s, two processes", montecarlo_s(), "s", "≤ 15")
     if latency := script("latency.py", build):
         yield Row("encoder in, pose out over LCM", latency["node_us"], "µs")
         yield Row("  a bare echo", latency["echo_us"], "µs")

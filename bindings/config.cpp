@@ -28,7 +28,7 @@ py::object get(Config& config, const std::string& key) {
 
 void set(Config& config, const std::string& key, const py::object& value) {
     const Field f = find(config, key);
-    if (key == "map") throw py::value_error("set Config.map instead");
+    if (is_map(key)) throw py::value_error("set Config." + key + " instead");
     f.set(py::str(value), "configuration");
 }
 
@@ -66,8 +66,19 @@ sensor that is not there adds it. `describe` lists every key with its value and 
             "Raises ConfigError if the parts do not fit together.")
         .def_property_readonly(
             "sensors", [](const Config& config) { return config.sensor_names; },
-            "Names of the marker sensors.")
-        .def_readwrite("map", &Config::map, "The MarkerMap.");
+            "Names of the sensors.")
+        .def_property_readonly(
+            "marker_sensors",
+            [](const Config& config) {
+                std::vector<std::string> names;
+                for (std::size_t i = 0; i < config.sensor_names.size(); ++i)
+                    if (config.params.sensors[i].measures == Measures::markers)
+                        names.push_back(config.sensor_names[i]);
+                return names;
+            },
+            "Names of those that measure markers.")
+        .def_readwrite("map", &Config::map, "The MarkerMap.")
+        .def_readwrite("walls", &Config::walls, "The WallMap.");
     m.def("load_config", &load_config, py::arg("path"),
           "Reads a configuration file and the map that it names; raises ConfigError naming file "
           "and line.");

@@ -6,12 +6,12 @@ PYBIND11_MODULE(_core, m) {
     m.attr("__version__") = PILOTAGE_VERSION;
     bind_errors(m);
     bind_marker_map(m);
+    bind_wall_map(m);
     bind_config(m);
     bind_recording(m);
     bind_motion(m);
     bind_sensing(m);
     bind_measurements(m);
-    bind_wall_map(m);
     bind_filter(m);
     bind_linear_kalman(m);
     bind_ukf(m);

@@ -1,6 +1,7 @@
 #include "pilotage/wall_map.hpp"
 
 #include "bindings.hpp"
+#include "engine/config_file.hpp"
 #include "measurement_methods.hpp"
 #include "models.hpp"
 
@@ -18,7 +19,7 @@ WallMap make_map(const Array<double>& segments) {
         wall = {row[0], row[1], row[2], row[3]};
         row += 4;
     }
-    return WallMap(std::move(walls));
+    return checked_walls(std::move(walls), "WallMap");
 }
 
 /// A range for each pose and each angle from its heading.
@@ -42,7 +43,20 @@ py::array_t<double> cast(const WallMap& map, const Array<double>& poses,
 void bind_wall_map(py::module_& m) {
     py::class_<WallMap>(m, "WallMap", "The walls of a world, and what a beam meets among them.")
         .def(py::init(&make_map), py::arg("segments"),
-             "segments : (n, 4) float, from x, y to x, y in frame map [m], in any order")
+             "segments : (n, 4) float, from x, y to x, y in frame map [m], in any order; raises "
+             "ConfigError for a wall without length and for what is not finite")
+        .def("__len__", [](const WallMap& map) { return map.walls().size(); })
+        .def_property_readonly(
+            "segments",
+            [](const WallMap& map) {
+                py::array_t<double> rows(
+                    {static_cast<py::ssize_t>(map.walls().size()), py::ssize_t{4}});
+                double* row = rows.mutable_data();
+                for (const Wall& w : map.walls())
+                    for (const double v : {w.from_x_m, w.from_y_m, w.to_x_m, w.to_y_m}) *row++ = v;
+                return rows;
+            },
+            "(n, 4) float, from x, y to x, y in frame map [m]")
         .def("cast", &cast, py::arg("poses"), py::arg("angles_rad"),
              "Ranges [m] (n, k) to the nearest walls from poses (n, 3) at angles (k,) from their "
              "headings; inf where there is no wall.");

@@ -3,6 +3,7 @@
 /// Everything that a run needs besides its input: parameters of the core, channels and times of the
 /// inputs, names of the sensors, and the map.
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -92,6 +93,7 @@ struct Field {
     std::variant<double*, int*, std::string*, Choice> value;
     Range range;
     const char* meaning;
+    std::function<void()> changed = {};  ///< to be called after `value` was set
 
     /// The value as text, as YAML would write it.
     [[nodiscard]] std::string text() const;
@@ -99,6 +101,11 @@ struct Field {
     void set(const std::string& text, const std::string& where) const;
     [[nodiscard]] bool unset() const;  ///< NaN: not written to files
 };
+
+/// Whether the key names a file, or stands for a list written in its place.
+[[nodiscard]] constexpr bool is_map(std::string_view key) noexcept {
+    return key == "map" || key == "walls";
+}
 
 /// Every field of the configuration, in the order of the file. The pointers are into `config`.
 [[nodiscard]] std::vector<Field> fields(Config& config);
@@ -109,5 +116,8 @@ struct Field {
 
 /// Checks what no single field can: that the parts fit together. \throws ConfigError
 void check(const Config& config, const std::string& where);
+
+/// What a robot cannot do without, in words; empty if all is there.
+[[nodiscard]] std::string missing(const Config& config);
 
 }  // namespace pilotage

@@ -169,7 +169,7 @@ void apply(Config& config, const YAML::Node& node, const std::string& prefix,
               [&](const std::string& name, const YAML::Node& at_key, const YAML::Node& value) {
                   const std::string key = prefix + name;
                   const std::string line = at(where, at_key.Mark());
-                  const bool map = key == "map" || key == "walls";
+                  const bool map = is_map(key);
                   if (map && !value.IsScalar()) {
                       apply_map(config, key, value, where, folder);
                   } else if (value.IsMap()) {
@@ -266,7 +266,7 @@ std::string to_yaml(const Config& config) {
     Config copy = config;
     YAML::Node root(YAML::NodeType::Map);
     for (const Field& f : fields(copy)) {
-        if (f.unset() || f.key == "map" || f.key == "walls") continue;
+        if (f.unset() || is_map(f.key)) continue;
         YAML::Node node = root;
         std::istringstream path(f.key);
         std::string part, last;

@@ -12,6 +12,11 @@
 
 namespace pilotage {
 
+const char* default_channel(Measures measures) noexcept {
+    constexpr const char* channels[] = {"MARKERS", "FIX", "WALLS"};
+    return channels[static_cast<int>(measures)];
+}
+
 namespace {
 
 using Range = Field::Range;
@@ -54,6 +59,10 @@ void add_sensor(std::vector<Field>& list, const std::string& name, InputParams& 
         "markers: their bearing, elevation and range (marker_frame_t); pose: its own position, "
         "heading or both (position_fix_t, heading_t, pose_fix_t); walls: their range along beams "
         "(wall_range_t); to be said before what depends on it");
+    // A channel that nobody named is that of what is measured.
+    list.back().changed = [&input, &s, before = s.measures] {
+        if (input.channel == default_channel(before)) input.channel = default_channel(s.measures);
+    };
     add_input(list, prefix, input);
     add("x_m", &s.x_m, Range::any, "mounting, forward of the mid-axis");
     add("y_m", &s.y_m, Range::any, "mounting, left of the mid-axis");
@@ -195,11 +204,6 @@ std::string legible(std::string_view text) {
 }
 
 }  // namespace
-
-const char* default_channel(Measures measures) noexcept {
-    constexpr const char* channels[] = {"MARKERS", "FIX", "WALLS"};
-    return channels[static_cast<int>(measures)];
-}
 
 int Config::sensor(std::string_view name, const std::string& where) {
     const auto at = std::find(sensor_names.begin(), sensor_names.end(), name);
@@ -360,7 +364,7 @@ void Field::set(const std::string& text, const std::string& where) const {
         if (!parse(text, v) || v < 1 || v > 1'000'000) refuse("a whole number from 1 to 1000000");
         **integer = v;
     } else if (const auto* string = std::get_if<std::string*>(&value)) {
-        const bool file = key == "map" || key == "walls";
+        const bool file = is_map(key);
         if (file ? text.empty() : !is_name(text)) refuse(file ? "a file" : kNameExpected);
         **string = text;
     } else {
@@ -374,6 +378,7 @@ void Field::set(const std::string& text, const std::string& where) const {
         }
         *choice.value = static_cast<unsigned char>(at - choice.names.begin());
     }
+    if (changed) changed();
 }
 
 void check(const Config& config, const std::string& where) {
@@ -409,6 +414,20 @@ void check(const Config& config, const std::string& where) {
                                         {"jump", out.jump}})
         if (channels.count(channel) != 0)
             fail(where, std::string("output.") + name + " '" + channel + "' is an input's channel");
+}
+
+std::string missing(const Config& config) {
+    const auto measures = [&](Measures what) {
+        const auto& sensors = config.params.sensors;
+        return std::any_of(sensors.begin(), sensors.begin() + config.params.sensor_count,
+                           [&](const SensorParams& s) { return s.measures == what; });
+    };
+    if (config.params.sensor_count == 0) return "'sensors' is missing: name at least one";
+    if (measures(Measures::markers) && config.map.markers().empty())
+        return "'map' is missing: name a file of markers";
+    if (measures(Measures::walls) && config.walls.walls().empty())
+        return "'walls' is missing: name a file of walls";
+    return "";
 }
 
 }  // namespace pilotage

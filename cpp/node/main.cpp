@@ -50,10 +50,8 @@ int main(int argc, char** argv) {
     Config config;
     try {
         config = load_config(options.config);
-        if (config.map.markers().empty())
-            throw ConfigError(options.config + ": 'map' is missing: name a file of markers");
-        if (config.sensor_names.empty())
-            throw ConfigError(options.config + ": 'sensors' is missing: name at least one");
+        if (const std::string what = missing(config); !what.empty())
+            throw ConfigError(options.config + ": " + what);
     } catch (const std::exception& error) {
         return fail(kBadConfiguration, error.what());
     }

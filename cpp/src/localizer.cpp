@@ -221,7 +221,7 @@ void Localizer<Scalar, N>::advance(Track& track, std::size_t from, std::size_t t
             continue;
         }
         if (node.sample.stream != Stream::sighting) {
-            fix(track, node);
+            report(node, fixer_.fix(track, node.sample));
             const bool last = i + 1 == to || !same_frame(node.sample, history_[i + 1].sample);
             if (last && fixer_.doubtful(track)) search(track, i);
             continue;
@@ -286,12 +286,7 @@ void Localizer<Scalar, N>::correct(Track& track, Node& node, const Association& 
     report(node, result);
 }
 
-/// Fuses what was measured without markers.
-template <typename Scalar, int N>
-void Localizer<Scalar, N>::fix(Track& track, Node& node) noexcept {
-    report(node, fixer_.fix(track, node.sample));
-}
-
+/// Tells what became of a measurement.
 template <typename Scalar, int N>
 void Localizer<Scalar, N>::report(Node& node, SightingReport report) noexcept {
     report.revision = node.revision++;

@@ -62,6 +62,57 @@ class MarkerMap:
         """
         (n,) float [m]
         """
+class WallMap:
+    """
+    The walls of a world, and what a beam meets among them.
+    """
+    def __init__(self, segments: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        """
+        segments : (n, 4) float, from x, y to x, y in frame map [m], in any order; raises ConfigError for a wall without length and for what is not finite
+        """
+    def __len__(self) -> int:
+        ...
+    def cast(self, poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], angles_rad: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Ranges [m] (n, k) to the nearest walls from poses (n, 3) at angles (k,) from their headings; inf where there is no wall.
+        """
+    @property
+    def segments(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (n, 4) float, from x, y to x, y in frame map [m]
+        """
+class WallRange:
+    """
+    Distance [m] to the nearest wall along a beam.
+    
+    Not defined where the beam meets no wall, or one at less than 3 degrees.
+    """
+    def __init__(self, walls: WallMap, beam_rad: typing.SupportsFloat | typing.SupportsIndex, mounting: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = ...) -> None:
+        """
+        Parameters
+        ----------
+        walls : WallMap
+        beam_rad : from the sensor's forward axis, left positive
+        mounting : (3,) float, the sensor's x, y [m] and yaw [rad] in the robot frame
+        """
+    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
+        """
+        h(x) and its Jacobian.
+        
+        Returns
+        -------
+        value : (m,) float
+        jacobian : (m, n) float, by the states that it sees
+        defined : bool, whether there is anything to measure, and a derivative to trust
+        """
+    def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Measured less predicted, (m,) each; angles wrap.
+        """
+    def predict(self, states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        h(x) of many states at once: (k, m) for (k, n).
+        """
 class Config:
     """
     All that a run needs besides its input.
@@ -111,10 +162,23 @@ class Config:
     def map(self, arg0: MarkerMap) -> None:
         ...
     @property
+    def marker_sensors(self) -> list[str]:
+        """
+        Names of those that measure markers.
+        """
+    @property
     def sensors(self) -> list[str]:
         """
-        Names of the marker sensors.
+        Names of the sensors.
         """
+    @property
+    def walls(self) -> WallMap:
+        """
+        The WallMap.
+        """
+    @walls.setter
+    def walls(self, arg0: WallMap) -> None:
+        ...
 class Recording:
     """
     LCM messages in the order of their arrival, as a log file holds them.
@@ -775,50 +839,6 @@ class EchoEnvelope:
     def __init__(self, time_s: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[4, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
-        """
-        h(x) and its Jacobian.
-        
-        Returns
-        -------
-        value : (m,) float
-        jacobian : (m, n) float, by the states that it sees
-        defined : bool, whether there is anything to measure, and a derivative to trust
-        """
-    def minus(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], predicted: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
-        """
-        Measured less predicted, (m,) each; angles wrap.
-        """
-    def predict(self, states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
-        """
-        h(x) of many states at once: (k, m) for (k, n).
-        """
-class WallMap:
-    """
-    The walls of a world, and what a beam meets among them.
-    """
-    def __init__(self, segments: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
-        """
-        segments : (n, 4) float, from x, y to x, y in frame map [m], in any order
-        """
-    def cast(self, poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], angles_rad: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
-        """
-        Ranges [m] (n, k) to the nearest walls from poses (n, 3) at angles (k,) from their headings; inf where there is no wall.
-        """
-class WallRange:
-    """
-    Distance [m] to the nearest wall along a beam.
-    
-    Not defined where the beam meets no wall, or one at less than 3 degrees.
-    """
-    def __init__(self, walls: WallMap, beam_rad: typing.SupportsFloat | typing.SupportsIndex, mounting: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = ...) -> None:
-        """
-        Parameters
-        ----------
-        walls : WallMap
-        beam_rad : from the sensor's forward axis, left positive
-        mounting : (3,) float, the sensor's x, y [m] and yaw [rad] in the robot frame
-        """
-    def linearize(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"], bool]:
         """
         h(x) and its Jacobian.
         

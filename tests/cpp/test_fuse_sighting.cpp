@@ -104,8 +104,8 @@ TYPED_TEST(FuseSightingTest, ReportsWhichSightingItIsOf) {
 TYPED_TEST(FuseSightingTest, ReportsTheRobustWeight) {
     auto filter = somewhere<TypeParam>();
     const Policy policy = Policy::make(Fusion::student_t, 0.001, 4);
-    const auto report = fuse_sighting(filter, sighting_at(0, 5, {1.5, kNan, kNan}), kMap,
-                                      SensorParams{}, policy);
+    const auto report =
+        fuse_sighting(filter, sighting_at(0, 5, {1.5, kNan, kNan}), kMap, SensorParams{}, policy);
     EXPECT_EQ(report.verdict, Verdict::fused);
     EXPECT_NEAR(report.weight, 5 / (4 + report.nis), 1e-5);
     EXPECT_LT(report.weight, 0.5);

@@ -9,9 +9,9 @@ namespace pilotage::test {
 
 namespace {
 
-constexpr const char* kChannels[] = {"ENCODERS",      "GYRO",       "VELOCITY", "MARKERS",
-                                     "OTHER_MARKERS", "POSE_RESET", "POSE",     kTickChannel,
-                                     kSetupChannel,   "",           "\x01\xff", "REFERENCE"};
+constexpr const char* kChannels[] = {
+    "ENCODERS",   "GYRO",        "VELOCITY", "MARKERS",  "OTHER_MARKERS", "POSE_RESET", "POSE",
+    kTickChannel, kSetupChannel, "",         "\x01\xff", "REFERENCE",     "FIX",        "WALLS"};
 
 /// Sums of absurd numbers wrap instead of overflowing.
 std::int64_t sum(std::int64_t a, std::int64_t b) noexcept {
@@ -77,7 +77,7 @@ const Action& Peer::next() {
             delay_ = draws_.below(8) == 0 ? draws_.extreme() : 1000 * draws_.raw<std::int16_t>();
             break;
         default:
-            say("REFERENCE", reference(time(), draws_.number(), draws_.number(), draws_.number()));
+            measure_otherwise();
     }
     return action_;
 }
@@ -112,6 +112,42 @@ marker_frame_t Peer::some_frame() {
         m.sightings.push_back(s);
     }
     return m;
+}
+
+/// What needs no marker.
+void Peer::measure_otherwise() {
+    static const char* const names[] = {"gps", "gps", "laser", "camera", ""};
+    const std::int64_t utime = time();
+    const char* sensor = draws_.one_of(names);
+    switch (draws_.below(5)) {
+        case 0:
+            return say("FIX", heading(utime, sensor, draws_.number(), draws_.number(), next_seq()));
+        case 1: {
+            position_fix_t m =
+                position_fix(utime, sensor, draws_.number(), draws_.number(), NAN, next_seq());
+            if (draws_.below(2) == 1)
+                for (double& v : m.covariance) v = draws_.number();
+            return say("FIX", m);
+        }
+        case 2: {
+            pose_fix_t m = pose_fix(utime, sensor, draws_.number(), draws_.number(),
+                                    draws_.number(), NAN, next_seq());
+            if (draws_.below(2) == 1)
+                for (double& v : m.covariance) v = draws_.number();
+            return say("FIX", m);
+        }
+        case 3: {
+            std::vector<double> angles, ranges;
+            for (int i = draws_.below(4); i > 0; --i) {
+                angles.push_back(draws_.number());
+                ranges.push_back(draws_.number());
+            }
+            return say("WALLS",
+                       wall_ranges(utime, "laser", angles, ranges, draws_.number(), next_seq()));
+        }
+        default:
+            say("REFERENCE", reference(utime, draws_.number(), draws_.number(), draws_.number()));
+    }
 }
 
 pose_reset_t Peer::some_reset() {

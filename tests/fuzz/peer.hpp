@@ -33,6 +33,7 @@ class Peer {
     [[nodiscard]] std::int32_t next_seq() noexcept;
     [[nodiscard]] marker_frame_t some_frame();
     [[nodiscard]] pose_reset_t some_reset();
+    void measure_otherwise();
     void prepare_mishap();
     void damage(Bytes& bytes) const;
     template <typename Message>

@@ -26,6 +26,14 @@ void set_any_key(Config& config, Draws& draws) {
     }
 }
 
+/// Such as need no marker.
+void add_other_sensors(Config& c) {
+    field(c, "sensors.gps.measures", "fuzz").set("pose", "fuzz");
+    field(c, "sensors.gps.x_m", "fuzz").set("0.5", "fuzz");
+    field(c, "sensors.laser.measures", "fuzz").set("walls", "fuzz");
+    c.walls = WallMap({{-5, -3, 5, -3}, {5, -3, 5, 3}, {5, 3, -5, 3}, {-5, 3, -5, -3}});
+}
+
 }  // namespace
 
 Config some_robot(Draws& draws) {
@@ -43,6 +51,8 @@ Config some_robot(Draws& draws) {
     p.history.window_s = draws.one_of(windows_s);
     c.sensor("camera");
     if (kind & 8) c.sensor("lidar");
+    if (kind & 64) add_other_sensors(c);
+    if (kind & 128) p.filter = Filter::ukf;
     for (int i = 0; i < p.sensor_count; ++i)
         p.sensors[static_cast<std::size_t>(i)].fusion = static_cast<Fusion>(draws.below(3));
     if (kind & 16) c.sensor_inputs.back().channel = "OTHER_MARKERS";

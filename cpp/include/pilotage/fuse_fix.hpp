@@ -70,6 +70,9 @@ template <Filter kFilter, typename Scalar, int N>
                                       const WallMap& walls, const SensorParams& sensor,
                                       double noise_scale, const Policy& policy) noexcept {
     SightingReport report = blank_report(sample, Verdict::no_match);
+    const auto tell = [&](const auto& update, const auto& which) {
+        if (update.fault != UpdateFault::undefined) describe_update(update, which, policy, report);
+    };
     const auto fuse = [&](const auto& measured, auto value, auto noise, const auto& which) {
         constexpr int M = decltype(value)::RowsAtCompileTime;
         using Model = Mounted<std::decay_t<decltype(measured)>, Scalar>;
@@ -77,9 +80,13 @@ template <Filter kFilter, typename Scalar, int N>
                           {Scalar(sensor.x_m), Scalar(sensor.y_m), Scalar(sensor.yaw_rad)}};
         const Vector<Scalar, M> z = value.template cast<Scalar>();
         const Matrix<Scalar, M> r = (noise_scale * noise_scale * noise).template cast<Scalar>();
-        const auto update = kFilter == Filter::ukf ? unscented_update(filter, model, z, r, policy)
-                                                   : filter.update(model, z, r, policy);
-        if (update.fault != UpdateFault::undefined) describe_update(update, which, policy, report);
+        if constexpr (kFilter == Filter::ukf) {
+            tell(unscented_update(filter, model, z, r, policy), which);
+        } else {
+            const auto h = model.linearize(filter.state().template head<kPoseStates>());
+            if (h.defined)
+                tell(filter.correct(model.minus(z, h.value), h.jacobian, r, policy), which);
+        }
     };
     if (sample.stream == Stream::beam) {
         const TrueRange range = range_of(sample.payload.beam, sensor);

@@ -38,38 +38,28 @@ template <typename Scalar, int N, typename... Components>
     return result;
 }
 
-/// Fuses them with the marker held against the whole Gaussian instead of its mean.
-/// \param held at the mean
-template <bool kHold, typename Scalar, int N, typename... Components>
-void fuse_unscented(Ekf<Scalar, N>& filter, HeldSighting<Scalar, int(sizeof...(Components))> held,
-                    const Marker& marker, const Sighting& sighting, const SensorParams& sensor,
-                    const Policy& policy, SightingReport& report,
-                    const Components&... components) noexcept {
-    constexpr int M = sizeof...(Components);
-    constexpr ComponentIndex which[] = {Components::kIndex...};
-    const auto model = sighting_model<Scalar>(marker, sensor, components...);
-    const auto seen = unscented_measurement(model, filter);
-    if (!seen.defined) {
-        report.verdict = Verdict::too_close;
-        report.limit = sensor.min_distance_m;
-        return;
-    }
-    held.innovation = model.minus(values_of<Scalar, Components...>(sighting), seen.value);
-    held.jacobian = seen.jacobian;
-    const Matrix<Scalar, M> noise = held.noise() + seen.noise;
-    if constexpr (N == kTiltedStates) {
-        const auto tilted = with_tilt<Scalar, Components...>(held, filter.state());
-        describe_update(filter.correct(tilted.innovation, tilted.jacobian, noise, policy, kHold),
-                        which, policy, report);
-    } else {
-        describe_update(filter.correct(held.innovation, held.jacobian, noise, policy, kHold), which,
-                        policy, report);
-    }
+/// Bearing, elevation and range of a marker over the Gaussian of a pose, whichever a sighting has
+/// of them: one function for all, since its code counts for more than its time.
+template <typename Scalar>
+[[nodiscard, gnu::noinline, gnu::cold]] auto seen_over(const Pose<Scalar>& mean,
+                                                       const Matrix<Scalar, 3>& covariance,
+                                                       const Marker& marker,
+                                                       const SensorParams& sensor) noexcept {
+    return unscented_measurement(
+        sighting_model<Scalar>(
+            marker, sensor, Bearing<Scalar>{}, Elevation<Scalar>{},
+            Range<Scalar>{Scalar(sensor.range_scale), Scalar(sensor.range_offset_m)}),
+        mean, covariance, Unscented{});
+}
+
+inline void describe_too_close(const SensorParams& sensor, SightingReport& report) noexcept {
+    report.verdict = Verdict::too_close;
+    report.limit = sensor.min_distance_m;
 }
 
 /// Fuses the given components as one vector.
 /// \tparam kHold see Ekf::correct
-template <Filter kFilter, bool kHold, typename Scalar, int N, typename... Components>
+template <bool kHold, typename Scalar, int N, typename... Components>
 [[gnu::flatten]] void fuse_components(Ekf<Scalar, N>& filter, const Marker& marker,
                                       const Sighting& sighting, const SensorParams& sensor,
                                       const Policy& policy, SightingReport& report,
@@ -78,15 +68,8 @@ template <Filter kFilter, bool kHold, typename Scalar, int N, typename... Compon
     constexpr ComponentIndex which[] = {Components::kIndex...};
     auto held = hold_against<Scalar>(filter.state().template head<kPoseStates>(), marker, sighting,
                                      sensor, components...);
-    if (!held.defined) {
-        report.verdict = Verdict::too_close;
-        report.limit = sensor.min_distance_m;
-        return;
-    }
-    if constexpr (kFilter == Filter::ukf)
-        return fuse_unscented<kHold>(filter, held, marker, sighting, sensor, policy, report,
-                                     components...);
-    if (kFilter == Filter::ekf && bends<which[0]>(held, filter) && policy.fusion != Fusion::plain) {
+    if (!held.defined) return describe_too_close(sensor, report);
+    if (bends<which[0]>(held, filter) && policy.fusion != Fusion::plain) {
         const auto more = bend_variances(filter, held.dx, held.dy, held.dz, components...);
         each<M>([&](int i) { held.variances[i] += more[i]; });
     }
@@ -102,6 +85,46 @@ template <Filter kFilter, bool kHold, typename Scalar, int N, typename... Compon
                 : filter.correct_independent(held.innovation, held.jacobian, held.variances, policy,
                                              kHold);
         describe_update(update, which, policy, report);
+    }
+}
+
+/// The same by either filter, where the size of the code counts for more than its time.
+/// \param hold see Ekf::correct
+template <Filter kFilter, typename Scalar, int N, typename... Components>
+[[gnu::noinline]] void fuse_compactly(Ekf<Scalar, N>& filter, bool hold, const Marker& marker,
+                                      const Sighting& sighting, const SensorParams& sensor,
+                                      const Policy& policy, SightingReport& report,
+                                      const Components&... components) noexcept {
+    constexpr int M = sizeof...(Components);
+    constexpr ComponentIndex which[] = {Components::kIndex...};
+    auto held = hold_against<Scalar>(filter.state().template head<kPoseStates>(), marker, sighting,
+                                     sensor, components...);
+    Matrix<Scalar, M> rest = Matrix<Scalar, M>::Zero();
+    if (held.defined && kFilter == Filter::ukf) {
+        const auto seen =
+            seen_over<Scalar>(filter.state().template head<kPoseStates>(),
+                              filter.covariance().template topLeftCorner<3, 3>(), marker, sensor);
+        held.defined = seen.defined;
+        const auto value =
+            entries<Vector<Scalar, M>>([&](int i, int) { return seen.value[which[i]]; });
+        held.innovation = sighting_model<Scalar>(marker, sensor, components...)
+                              .minus(values_of<Scalar, Components...>(sighting), value);
+        held.jacobian = entries<Matrix<Scalar, M, kPoseStates>>(
+            [&](int i, int j) { return seen.jacobian(which[i], j); });
+        rest = entries<Matrix<Scalar, M>>(
+            [&](int i, int j) { return seen.noise(which[i], which[j]); });
+    } else if (held.defined && policy.fusion != Fusion::plain && bends<which[0]>(held, filter)) {
+        held.variances += bend_variances(filter, held.dx, held.dy, held.dz, components...);
+    }
+    if (!held.defined) return describe_too_close(sensor, report);
+    const Matrix<Scalar, M> noise = held.noise() + rest;
+    if constexpr (N == kTiltedStates) {
+        const auto tilted = with_tilt<Scalar, Components...>(held, filter.state());
+        describe_update(filter.correct(tilted.innovation, tilted.jacobian, noise, policy, hold),
+                        which, policy, report);
+    } else {
+        describe_update(filter.correct(held.innovation, held.jacobian, noise, policy, hold), which,
+                        policy, report);
     }
 }
 
@@ -143,20 +166,20 @@ template <Filter kFilter, typename Scalar, int N>
                                              const Sighting& sighting, const SensorParams& sensor,
                                              const Policy& policy,
                                              SightingReport& report) noexcept {
-    const auto fuse = [&](auto hold, const Sighting& part) {
+    const auto fuse = [&](bool hold, const Sighting& part) {
         report.value = report.limit = NAN;
         (void)with_components<Scalar>(part, sensor, [&](const auto&... components) {
-            fuse_components<kFilter, decltype(hold)::value>(filter, marker, part, sensor, policy,
-                                                            report, components...);
+            fuse_compactly<kFilter>(filter, hold, marker, part, sensor, policy, report,
+                                    components...);
         });
     };
     Sighting level = sighting;
     level.value[kElevation] = NAN;
-    fuse(std::true_type{}, level);
+    fuse(true, level);
     if (report.verdict == Verdict::fused)
         --report.dof;
     else
-        fuse(std::false_type{}, sighting);
+        fuse(false, sighting);
 }
 
 /// Holds the sighting against the map and fuses what it measured.
@@ -175,8 +198,12 @@ template <Filter kFilter = Filter::ekf, typename Scalar, int N>
         constexpr bool separable =
             sizeof...(components) > 1 &&
             (... || (std::decay_t<decltype(components)>::kIndex == kElevation));
-        fuse_components<kFilter, separable>(filter, *marker, sighting, sensor, policy, report,
-                                            components...);
+        if constexpr (kFilter == Filter::ukf)
+            fuse_compactly<kFilter>(filter, separable, *marker, sighting, sensor, policy, report,
+                                    components...);
+        else
+            fuse_components<separable>(filter, *marker, sighting, sensor, policy, report,
+                                       components...);
         if (separable && report.verdict == Verdict::gate)
             fuse_apart<kFilter>(filter, *marker, sighting, sensor, policy, report);
     });

@@ -41,7 +41,7 @@ class Listener {
 };
 
 /// Localizes on known markers with dead reckoning in between. N = 3 (pose), 6 (with calibration
-/// states).
+/// states) or 8 (with pitch and roll).
 ///
 /// The estimate depends on the set of samples within the window, not on the order of their arrival:
 /// a sample that comes late is put in its place and everything after it is computed again. Nothing
@@ -122,7 +122,6 @@ class Localizer {
     [[nodiscard]] std::size_t recognise(const Track& track, std::size_t from,
                                         std::size_t to) noexcept;
     void correct(Track& track, Node& node, const Association& of) noexcept;
-    void fix(Track& track, Node& node) noexcept;
     void report(Node& node, SightingReport report) noexcept;
     void reset(Track& track, Node& node) noexcept;
     void search(Track& track, std::size_t newest) noexcept;

@@ -1,7 +1,7 @@
 """Where the markers stand, and to whom that is too close."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -35,11 +35,15 @@ def closest(markers: MarkerMap) -> Pair | None:
 
 def markers_too_close(config: Config) -> Iterator[Finding]:
     """Find markers that a sensor cannot tell apart where it sees their neighbours."""
-    layout = Layout.of(config.map)
-    if len(layout) < 2:
+    return too_close(config.map, [Sight.of(config, name) for name in config.marker_sensors])
+
+
+def too_close(markers: MarkerMap, sights: Iterable[Sight]) -> Iterator[Finding]:
+    """Find markers that one of these sensors cannot tell apart where it sees their neighbours."""
+    if len(markers) < 2:
         return
-    for name in config.sensors:
-        sight = Sight.of(config, name, math.inf, 2.0 * math.pi)
+    for sight in sights:
+        layout = Layout.of(markers, [sight])
         blur = APART * math.hypot(sight.blur(layout.usual_m), layout.sigma_m)
         if twins := layout.twins(blur):
             one, other, apart = twins[0]
@@ -47,8 +51,8 @@ def markers_too_close(config: Config) -> Iterator[Finding]:
             yield Finding(
                 "map",
                 f"markers {layout.ids[one]} and {layout.ids[other]} are {apart:.3g} m apart"
-                f"{others}; seen from {layout.usual_m:.3g} m, {name} tells apart {blur:.2g} m "
-                f"({APART:g} σ)",
+                f"{others}; seen from {layout.usual_m:.3g} m, {sight.name} tells apart "
+                f"{blur:.2g} m ({APART:g} σ)",
                 "set them further apart, or be sure that their ids are never confused",
             )
 

@@ -5,33 +5,40 @@ from collections.abc import Iterator
 import numpy as np
 
 from .. import Config
-from ..site import measured
+from ..sensor_keys import MOUNTING, SIGMAS
+from ..site import guessed
 from .finding import Finding
 
-MOUNTING = ("x_m", "y_m", "z_m", "yaw_rad")
-SMALLEST = {"sigma_bearing_rad": 1e-4, "sigma_elevation_rad": 1e-4, "sigma_range_m": 1e-3}
-"""What a surveyor's total station reaches: no sensor on a robot sees better."""
+SMALLEST = dict(zip(SIGMAS.values(), (1e-4, 1e-4, 1e-3), strict=True))
+"""What a surveyor's total station reaches, rad and m: no sensor on a robot sees better."""
 
 
 def nothing_to_see(config: Config) -> Iterator[Finding]:
     """Find a missing map or missing sensors."""
-    if len(config.map) == 0:
+    if config.marker_sensors and len(config.map) == 0:
         yield Finding(
             "map",
             "missing: there is nothing to see, and pilotage-node does not start",
             "name a file of markers with map: here, or with --map",
         )
+    ranging = [n for n in config.sensors if config[f"sensors.{n}.measures"] == "walls"]
+    if ranging and len(config.walls) == 0:
+        yield Finding(
+            "walls",
+            f"missing: there is nothing for {ranging[0]} to see, and pilotage-node does not start",
+            "name a file of walls with walls: here, or list them",
+        )
     if not config.sensors:
         yield Finding(
             "sensors",
-            "missing: nothing sees the markers, and pilotage-node does not start",
+            "missing: nothing corrects the pose, and pilotage-node does not start",
             "name at least one, for instance sensors: {camera: {z_m: 0.35}}",
         )
 
 
 def never_mounted(config: Config) -> Iterator[Finding]:
     """Find sensors in the robot's origin, where there is none."""
-    for name in config.sensors:
+    for name in config.marker_sensors:
         if all(config[f"sensors.{name}.{part}"] == 0.0 for part in MOUNTING):
             yield Finding(
                 f"sensors.{name}",
@@ -42,20 +49,18 @@ def never_mounted(config: Config) -> Iterator[Finding]:
 
 def noise_by_default(config: Config) -> Iterator[Finding]:
     """Find sensors of which nobody said how well they see."""
-    default = Config()
-    for name in config.sensors:
-        keys = [f"sensors.{name}.{sigma}" for sigma in SMALLEST]
-        if all(config[key] == default[key] for key in keys):
+    for name in config.marker_sensors:
+        if not guessed(config, name):
             yield Finding(
                 f"sensors.{name}",
                 "the default noise in every component",
-                f"measure it, and set {', '.join(SMALLEST)}, those that it gives",
+                f"measure it, and set {', '.join(SIGMAS.values())}, those that it gives",
             )
 
 
 def noise_too_small(config: Config) -> Iterator[Finding]:
     """Find a noise that no sensor reaches, which makes an estimate confidently wrong."""
-    for name in config.sensors:
+    for name in config.marker_sensors:
         for sigma, smallest in SMALLEST.items():
             value = config[f"sensors.{name}.{sigma}"]
             if value < smallest:
@@ -69,9 +74,9 @@ def noise_too_small(config: Config) -> Iterator[Finding]:
 def elevation_says_nothing(config: Config) -> Iterator[Finding]:
     """Find elevations of markers that are all as high as the sensor."""
     heights = config.map.positions[:, 2]
-    for name in config.sensors:
+    for name in config.marker_sensors:
         z = f"sensors.{name}.z_m"
-        elevations = "elevation" in measured(config, name)
+        elevations = "elevation" in guessed(config, name)
         if elevations and heights.size and np.all(heights == config[z]):
             yield Finding(
                 z,

@@ -8,7 +8,7 @@ import numpy as np
 from ..site import Survey, View
 from ..site.words import match_words, motion_words, percent
 from .finding import Finding
-from .markers import markers_too_close
+from .markers import too_close
 
 WORTH = 0.01
 """A part of the poses or of the area that is less than this is not worth a finding."""
@@ -124,7 +124,7 @@ def position_unsure(survey: Survey) -> Iterator[Finding]:
 CHECKS: tuple[Callable[[Survey], Iterable[Finding]], ...] = (
     map_repeats,
     views_repeat,
-    lambda survey: markers_too_close(survey.config),
+    lambda survey: too_close(survey.config.map, survey.sights),
     in_line,
     danger_circle,
     blind_zone,

@@ -20,7 +20,7 @@ def summarize(config: Config, map_name: str = "") -> dict[str, list[str]]:
         "motion": _motion(config),
         "inputs": _inputs(config),
         "sensors": [line for name in config.sensors for line in _sensor(config, name)] or ["none"],
-        "map": _map(config.map, map_name),
+        "map": _map(config.map, map_name) + _walls(config),
         "start": [_start(config)],
         "outputs": [
             f"pose_t on {config['output.pose']}, odometry_t on {config['output.odometry']}, "
@@ -41,7 +41,8 @@ def _motion(config: Config) -> list[str]:
         if config[f"calibration.{state}.sigma"] > 0 or config[f"calibration.{state}.walk"] > 0
     ]
     estimated = f"estimated on the way: {', '.join(moving) or 'pose only'}"
-    return [f"{source}, heading from {turn}", estimated]
+    unscented = ["unscented Kalman filter"] if config["filter"] == "ukf" else []
+    return [f"{source}, heading from {turn}", estimated, *unscented]
 
 
 def _inputs(config: Config) -> list[str]:
@@ -64,13 +65,23 @@ def _sensor(config: Config, name: str) -> list[str]:
     def of(key: str) -> float:
         return float(config[f"sensors.{name}.{key}"])
 
-    per_m = f" + {of('sigma_range_per_m'):g} of it" if of("sigma_range_per_m") else ""
+    measures = config[f"sensors.{name}.measures"]
+    height = f"z {of('z_m'):g} m, " if measures == "markers" else ""
+    noise = []
+    if measures == "markers":
+        noise.append(f"bearing {math.degrees(of('sigma_bearing_rad')):.3g}°")
+        noise.append(f"elevation {math.degrees(of('sigma_elevation_rad')):.3g}°")
+    if measures == "pose":
+        noise.append(f"position {of('sigma_position_m'):g} m")
+        noise.append(f"heading {math.degrees(of('sigma_heading_rad')):.3g}°")
+    else:
+        per_m = f" + {of('sigma_range_per_m'):g} of it" if of("sigma_range_per_m") else ""
+        noise.append(f"range {of('sigma_range_m'):g} m{per_m}")
+    kind = {"markers": "", "pose": ", fixes of the pose", "walls": ", ranges to walls"}[measures]
     return [
-        f"{name} at x {of('x_m'):g} m, y {of('y_m'):g} m, z {of('z_m'):g} m, "
-        f"yaw {math.degrees(of('yaw_rad')):.3g}°",
-        f"  σ of bearing {math.degrees(of('sigma_bearing_rad')):.3g}°, "
-        f"elevation {math.degrees(of('sigma_elevation_rad')):.3g}°, "
-        f"range {of('sigma_range_m'):g} m{per_m}; fusion {config[f'sensors.{name}.fusion']}",
+        f"{name} at x {of('x_m'):g} m, y {of('y_m'):g} m, {height}"
+        f"yaw {math.degrees(of('yaw_rad')):.3g}°{kind}",
+        f"  σ of {', '.join(noise)}; fusion {config[f'sensors.{name}.fusion']}",
     ]
 
 
@@ -87,6 +98,15 @@ def _map(markers: MarkerMap, name: str) -> list[str]:
     if pair := closest(markers):
         lines.append(f"closest: {pair.one} and {pair.other}, {pair.apart_m:.3g} m")
     return lines
+
+
+def _walls(config: Config) -> list[str]:
+    if len(config.walls) == 0:
+        return []
+    ends = config.walls.segments.reshape(-1, 2)
+    wide, high = np.ptp(ends, axis=0)
+    from_file = f" from {config['walls']}" if config["walls"] else ""
+    return [f"{len(config.walls)} walls{from_file} over {wide:.1f} m × {high:.1f} m"]
 
 
 def _gaps(markers: MarkerMap) -> str:

@@ -2,6 +2,8 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryFile
 from time import monotonic
 from typing import TYPE_CHECKING
 
@@ -46,6 +48,20 @@ def check_jobs(jobs: int) -> None:
     """Refuse a number of processes that means nothing."""
     if jobs < 1 and jobs != -1:
         raise ValueError(f"--jobs is {jobs}, expected 1 or more, or -1 for one a core")
+
+
+def make_folder(output: Path | None) -> None:
+    """Make the folder of -o, if one is named, before the work whose results it is for."""
+    if output is None:
+        return
+    try:
+        output.mkdir(parents=True, exist_ok=True)
+        with TemporaryFile(dir=output):
+            pass
+    except OSError as error:
+        raise ValueError(
+            f"-o {output} cannot be a folder for results: {error.strerror}; name another folder"
+        ) from error
 
 
 def print_rows(title: str, rows: Sequence[Row]) -> None:

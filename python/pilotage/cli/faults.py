@@ -26,9 +26,10 @@ def faults(
     """
     from ..campaign import FaultReport
     from ..campaign.table import bar_table, cell_table
-    from .console import aligned, check_jobs, progress_bar
+    from .console import aligned, check_jobs, make_folder, progress_bar
 
     check_jobs(jobs)
+    make_folder(output)
     with progress_bar("injecting faults") as progress:
         report = FaultReport.make(scenario, runs, seed, jobs, only, progress)
     numbers = ("OK", "said", "after", "again", "error", "silent", "measured")

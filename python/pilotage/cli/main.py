@@ -5,6 +5,7 @@ import sys
 import typer
 
 from . import (
+    assignment,
     check,
     config,
     convert,
@@ -52,10 +53,11 @@ for command in (
     config.config,
     check.check,
     status.status,
+    study.study,
+    assignment.assignment,
 ):
     app.command()(command)
 app.add_typer(map.app, name="map")
-app.add_typer(study.app, name="study")
 
 
 def main() -> None:

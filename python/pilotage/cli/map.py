@@ -36,6 +36,10 @@ def check(
             metavar="X Y X Y",
         ),
     ] = None,
+    components: Annotated[
+        str,
+        typer.Option(help="What the sensors measure: bearing,range. Else guessed by their noise."),
+    ] = "",
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Folder for map.json and map.png.")
     ] = None,
@@ -47,9 +51,9 @@ def check(
     """Find what makes a map ambiguous, and how well each place on it is seen.
 
     Layouts that repeat, markers too close, in a line or on a circle, blind zones, and how sure
-    one frame makes the position. What a sensor measures follows from the noise that its
-    configuration states. The exit status is 0, with warnings and --strict 1, and 2 if the map
-    cannot be used.
+    one frame makes the position. What a sensor measures is what --components says, else it is
+    guessed: a component whose noise its configuration leaves at the default it does not have. The
+    exit status is 0, with warnings and --strict 1, and 2 if the map cannot be used.
 
     Example: pilotage map check robot.yaml --reach 8 --view 170 -o out
     """
@@ -59,20 +63,24 @@ def check(
     from ..checks.site import check_survey
     from ..site import Survey
     from ..site.words import describe
-    from .console import print_findings, print_sections, progress_bar
+    from .console import make_folder, print_findings, print_sections, progress_bar
 
     if reach is not None and not 0.0 < reach < math.inf:
         raise ValueError(f"--reach is {reach:g}, expected more than 0 m")
     if not 0.0 < view <= 360.0:
         raise ValueError(f"--view is {view:g}, expected more than 0° and no more than 360°")
-    if area is not None and not (area[0] < area[2] and area[1] < area[3]):
+    if area is not None and not (
+        all(map(math.isfinite, area)) and area[0] < area[2] and area[1] < area[3]
+    ):
         raise ValueError(
-            f"--area is {' '.join(f'{v:g}' for v in area)}, expected the lowest x and y, "
+            f"--area is {' '.join(f'{v:g}' for v in area)}, expected numbers: the lowest x and y, "
             "then the highest"
         )
+    measured = [name.strip() for name in components.split(",")] if components else []
     chosen, map_name = _load(file, config)
+    make_folder(output)
     with progress_bar("looking at the map") as progress:
-        survey = Survey.of(chosen, reach or math.inf, math.radians(view), area, progress)
+        survey = Survey.of(chosen, reach or math.inf, math.radians(view), area, measured, progress)
     findings = check_survey(survey)
     typer.echo(file)
     summary = summarize(chosen, map_name)
@@ -94,7 +102,6 @@ def _save(survey: "Survey", findings: "list[Finding]", output: Path | None, show
     from ..site.report import save_report
 
     folder = output or Path(mkdtemp(prefix="pilotage-map-"))
-    folder.mkdir(parents=True, exist_ok=True)
     save_report(survey, [finding._asdict() for finding in findings], folder / "map.json")
     style.save(site_figure(survey), folder / "map.png")
     typer.echo(f"\n{folder}/map.json, {folder}/map.png")
@@ -117,7 +124,7 @@ def _load(file: Path, config: Path | None) -> "tuple[Config, str]":
             chosen["sensors.assumed.z_m"] = 0.0  # speaking of a sensor adds it, with its defaults
     if len(chosen.map) == 0:
         raise ValueError(f"{file} has no map: name one with map: in it, or check MAP -c {file}")
-    if not chosen.sensors:
+    if not chosen.marker_sensors:
         raise ValueError(
             f"{config or file} has no sensor: name one, sensors: {{camera: {{z_m: 0.3}}}}"
         )

@@ -31,12 +31,16 @@ def simulate(
     ] = None,
     duration: Annotated[float | None, typer.Option(help="Seconds, instead of the whole.")] = None,
     noise: Annotated[float, typer.Option(help="Factor on every noise; 0 measures exactly.")] = 1.0,
-    gyro_bias: Annotated[float, typer.Option(help="rad/s")] = 0.0,
+    gyro_bias: Annotated[
+        float | None, typer.Option(help="rad/s, instead of the scenario's.")
+    ] = None,
     slip: Annotated[
-        float, typer.Option(help="Part of the wheels' travel that moves nothing.")
-    ] = 0.0,
+        float | None,
+        typer.Option(help="Part of the wheels' travel that moves nothing, not the scenario's."),
+    ] = None,
     latency: Annotated[
-        float | None, typer.Option(help="Seconds from a frame to its arrival.")
+        float | None,
+        typer.Option(help="Seconds from a frame to its arrival, instead of the scenario's."),
     ] = None,
     fault: Annotated[
         str | None,
@@ -64,39 +68,34 @@ def simulate(
     from ..montecarlo import find_scenario, simulate_run
     from ..simulate import Campaign, Measured
     from ..simulate import simulate as simulated
+    from ..simulate.fields import within
     from .console import progress_bar
 
     chosen = find_scenario(scenario)
     if live == (output is not None):
         raise ValueError("say where it goes: either -o FILE.lcmlog or --live")
-    if output is not None and output.suffix == ".yaml":
+    file = Path(f"{chosen.name}.yaml") if output is None else output.with_suffix(".yaml")
+    if file == output:
         raise ValueError(f"{output} is for the configuration: give the log another name")
-    duration = chosen.duration_s if duration is None else duration
-    latency = chosen.latency_s if latency is None else latency
-    for name, value, low, high in (
-        ("duration", duration, 1.0, 1e5),
-        ("noise", noise, 0.0, 100.0),
-        ("gyro-bias", gyro_bias, -1.0, 1.0),
-        ("slip", slip, -0.9, 0.9),
-        ("latency", latency, 0.0, 60.0),
-        ("speed", speed, 1e-3, 1e6),
-    ):
-        if not low <= value <= high:
-            raise ValueError(f"--{name} is {value:g}, expected {low:g} to {high:g}")
+    for written in (file, output):
+        if written is not None and _same(written, Path(scenario)):
+            way = "start it in another folder" if live else "give the log another name"
+            raise ValueError(f"{written} would be written, and is the scenario itself: {way}")
+    within("--noise", noise, 0.0, 100.0)
+    within("--speed", speed, 1e-3, 1e6)
     chosen = chosen.with_noise(noise)
-    chosen = replace(
-        chosen,
-        duration_s=duration,
-        encoders=replace(
-            chosen.encoders, slip=slip, scale_sigma=max(slip, chosen.encoders.scale_sigma)
-        ),
-        gyro=replace(
-            chosen.gyro,
-            bias_rad_s=gyro_bias,
-            bias_sigma_rad_s=max(abs(gyro_bias), chosen.gyro.bias_sigma_rad_s),
-        ),
-        latency_s=latency,
-    )
+    if duration is not None:
+        chosen = replace(chosen, duration_s=duration)
+    if latency is not None:
+        chosen = replace(chosen, latency_s=latency)
+    if slip is not None:
+        known = max(abs(slip), chosen.encoders.scale_sigma)
+        chosen = replace(chosen, encoders=replace(chosen.encoders, slip=slip, scale_sigma=known))
+    if gyro_bias is not None:
+        known = max(abs(gyro_bias), chosen.gyro.bias_sigma_rad_s)
+        chosen = replace(
+            chosen, gyro=replace(chosen.gyro, bias_rad_s=gyro_bias, bias_sigma_rad_s=known)
+        )
     rng = np.random.default_rng(seed)
 
     def spoiled(measured: Measured) -> Measured:
@@ -111,14 +110,13 @@ def simulate(
     config = simulation.config.to_yaml()
     if output is not None:
         simulation.recording.save(str(output))
-        output.with_suffix(".yaml").write_text(config, encoding="utf-8")
+        file.write_text(config, encoding="utf-8")
         typer.echo(f"{output}: {len(simulation.recording)} messages")
-        typer.echo(f"pilotage replay {output} --config {output.with_suffix('.yaml')}")
+        typer.echo(f"pilotage replay {output} --config {file}")
         return
     from ..health import Health
     from ..live import play
 
-    file = Path(f"{chosen.name}.yaml")
     file.write_text(config, encoding="utf-8")
     typer.echo(f"a node for it: pilotage-node --config {file}")
     if wait:
@@ -128,3 +126,8 @@ def simulate(
     typer.echo("sending")
     with progress_bar("sending") as progress:
         play(simulation.recording, speed, progress, lcm_url)
+
+
+def _same(one: Path, other: Path) -> bool:
+    """Tell whether both are there and are one file."""
+    return one.exists() and other.exists() and one.samefile(other)

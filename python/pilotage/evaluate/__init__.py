@@ -5,12 +5,15 @@ This package imports numpy only, so that a replay starts quickly; nothing here p
 
 from .angles import wrap_angle
 from .consistency import ellipse_scale, mahalanobis_squared, mean_square_band, sigma_probability
+from .ellipse import ellipse_axes
+from .ensemble import Ensemble
 from .errors import PoseErrors, pose_errors
 from .figures import CellFigures, Required
 from .honesty import Timeline, beyond
+from .means import mean_of_known, root_mean_square
 from .metrics import Counts, Heading, Metrics, Nees, Nis, Position, compute_metrics
 from .outcome import Outcome
-from .run import MapLike, RunLike
+from .run import HasPoses, MapLike, RunLike
 from .table import Row, error_rows, table_rows
 from .trajectory import TRAJECTORY, read_csv, read_trajectory, read_tum
 from .truth import MAX_GAP_S, interpolate
@@ -20,6 +23,8 @@ __all__ = [
     "TRAJECTORY",
     "CellFigures",
     "Counts",
+    "Ensemble",
+    "HasPoses",
     "Heading",
     "MapLike",
     "Metrics",
@@ -34,15 +39,18 @@ __all__ = [
     "Timeline",
     "beyond",
     "compute_metrics",
+    "ellipse_axes",
     "ellipse_scale",
     "error_rows",
     "interpolate",
     "mahalanobis_squared",
+    "mean_of_known",
     "mean_square_band",
     "pose_errors",
     "read_csv",
     "read_trajectory",
     "read_tum",
+    "root_mean_square",
     "sigma_probability",
     "table_rows",
     "wrap_angle",

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from .consistency import mahalanobis_squared
 from .errors import PoseErrors, pose_errors
+from .means import root_mean_square
 from .run import RunLike
 from .truth import MAX_GAP_S
 
@@ -32,7 +33,7 @@ class Position:
         if known.size == 0:
             return None
         return cls(
-            rmse_m=_rms(known),
+            rmse_m=float(root_mean_square(known)),
             mean_m=float(known.mean()),
             std_m=float(known.std()),
             p95_m=float(np.percentile(known, 95.0)),
@@ -56,7 +57,7 @@ class Heading:
         if known.size == 0:
             return None
         return cls(
-            rmse_deg=_rms(known),
+            rmse_deg=float(root_mean_square(known)),
             mean_deg=float(known.mean()),
             std_deg=float(known.std()),
             median_abs_deg=float(np.median(np.abs(known))),
@@ -174,7 +175,3 @@ def compute_metrics(
         duration_s=float(utime[-1] - utime[0]) * 1e-6 if utime.size else 0.0,
         messages_per_s=run.counts["messages"] / run.wall_s if run.wall_s > 0.0 else None,
     )
-
-
-def _rms(values: NDArray[np.float64]) -> float:
-    return float(np.sqrt(np.mean(values**2)))

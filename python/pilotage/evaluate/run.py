@@ -7,12 +7,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 
-class RunLike(Protocol):
-    """The outcome of a replay: ``pilotage.Run``, or anything with these attributes."""
+class HasPoses(Protocol):
+    """What figures of the estimate alone need."""
 
     @property
     def poses(self) -> NDArray[Any]:
         """(n,) structured: utime µs, x, y m, heading rad, covariance (3, 3) of those three."""
+
+
+class RunLike(HasPoses, Protocol):
+    """The outcome of a replay: ``pilotage.Run``, or anything with these attributes."""
 
     @property
     def reports(self) -> NDArray[Any]:

@@ -12,6 +12,15 @@ TRAJECTORY = np.dtype([("utime", "i8"), ("x", "f8"), ("y", "f8"), ("heading", "f
 """A row of a trajectory: µs, m, m, rad in (−π, π]."""
 
 
+def trajectory(utime: NDArray[np.int64], pose: NDArray[np.float64]) -> NDArray[Any]:
+    """Make a `TRAJECTORY` array of stamps (n,) and poses (n, 3)."""
+    rows = np.empty(len(utime), TRAJECTORY)
+    rows["utime"] = utime
+    for name, column in zip(("x", "y", "heading"), pose.T, strict=True):
+        rows[name] = column
+    return rows
+
+
 def read_trajectory(path: str | Path) -> NDArray[Any]:
     """Read a `TRAJECTORY` array from a ``.csv`` or, whatever else it is called, a TUM file."""
     return read_csv(path) if Path(path).suffix == ".csv" else read_tum(path)

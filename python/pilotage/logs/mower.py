@@ -26,6 +26,7 @@ from .log import Log
 KIND = "mower"
 LOOKED_FOR = "a folder with *poselog*.txt, *angles*.txt and *map*.txt"
 
+FILES = (Path("poselog"), Path("angles"), Path("map"))
 TICK_M = 1e-6
 """Metres per encoder tick in the recording: fine enough to lose nothing of any wheel's travel."""
 
@@ -92,8 +93,12 @@ def read(folder: Path) -> Log:
     The wheels' travels become absolute ticks of `TICK_M`. Stamps are kept as they are, jitter and
     repetitions included. Ids count from 0, in the angles as in the map.
     """
-    poselog, angles, markers = _the_files(folder)
-    triple = read_triple(folder)
+    return as_log(read_triple(folder), _the_files(folder))
+
+
+def as_log(triple: Triple, files: tuple[Path, Path, Path] = FILES) -> Log:
+    """Return what `read` makes of the files' content; `files` is what errors and notes name."""
+    poselog, angles, markers = files
     recording = Recording()
     utime = microseconds(triple.time, poselog)
     left, right, rate = triple.motion.T

@@ -8,7 +8,7 @@ from typing import Any
 from .. import simulate
 from ..simulate import Scenario, parse_scenario
 from ..simulate.fields import call, known_keys, mapping, read_yaml
-from .measures import OF_GATE, OF_REFERENCE, OF_RUNS, Measure
+from .measures import MEASURES, Measure
 
 BARS = Path(__file__).with_name("bars.yaml")
 """Those that are committed."""
@@ -27,7 +27,7 @@ class Bar:
         above = self.min is None or all(value >= self.min for value in values)
         return above and (self.max is None or all(value <= self.max for value in values))
 
-    def text(self, measure: Measure) -> str:
+    def text(self, measure: Measure[...]) -> str:
         """Write it: ``≤ 1.100``, ``0.950 to 1.060``."""
         if self.min is None or self.max is None:
             sign, limit = ("≤", self.max) if self.min is None else ("≥", self.min)
@@ -100,7 +100,7 @@ def _row(name: str, content: dict[str, Any]) -> BarRow:
     where = f"{BARS}: {name}"
     known_keys(content, ROW_KEYS, where)
     asked = mapping(content["bars"], f"{where}.bars")
-    known_keys(asked, OF_RUNS | OF_REFERENCE | OF_GATE, f"{where}.bars")
+    known_keys(asked, MEASURES, f"{where}.bars")
     return BarRow(
         name,
         content["what"],

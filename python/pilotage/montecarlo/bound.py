@@ -15,9 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import ArcUnicycle, MarkerMap, MarkerModel
+from ..sensor_keys import COMPONENTS
 from ..simulate import Scenario
 from ..simulate.drives import Drive
-from ..simulate.sensors import COMPONENTS, Camera
+from ..simulate.sensors import Camera
 
 EXACT_M2 = 1e-14
 """Variance of a wheel that stands, so that its information is a number."""

@@ -9,73 +9,71 @@ from typing import Any
 import numpy as np
 
 from .bars import Bar, BarRow, bar_rows, bar_scenario
-from .measures import OF_GATE, OF_REFERENCE, OF_RUNS, Measure
+from .measures import MEASURES, OF_GATE, OF_REFERENCE, OF_RUNS, Measure
 from .result import MonteCarlo
 from .running import run_montecarlo
-from .summary import known
+from .summary import or_null
 
 HEAD = ["row", "measure", "measured", "bar", ""]
 
 
 @dataclass(frozen=True)
-class Finding:
-    """A measure of a row beside its bar; without values the row could not be run, for a reason."""
+class Judgement:
+    """A measure of a row beside its bar."""
 
     row: BarRow
-    measure: Measure
+    measure: Measure[...]
     bar: Bar
     values: list[float]
-    reason: str = ""
 
     @property
     def met(self) -> bool:
         """Whether it is what it has to be."""
-        return bool(self.values) and self.bar.met(self.values)
+        return self.bar.met(self.values)
 
     def cells(self) -> list[str]:
         """Return the columns of the table."""
         measured = ", ".join(map(self.measure.text, self.values))
-        verdict = "not run" if self.reason else "met" if self.met else "missed"
         bar = self.bar.text(self.measure)
-        return [self.row.name, self.measure.words, measured, bar, verdict]
+        return [self.row.name, self.measure.words, measured, bar, "met" if self.met else "missed"]
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """All findings."""
+    """All judgements."""
 
     runs: int
     seed: int
-    findings: list[Finding]
+    judgements: list[Judgement]
+
+    @property
+    def met(self) -> bool:
+        """Whether every bar is."""
+        return all(judgement.met for judgement in self.judgements)
 
     def table(self) -> list[list[str]]:
         """Return rows of text; a row's name stands only at its first measure."""
         table, last = [HEAD], ""
-        for finding in self.findings:
-            cells = finding.cells()
+        for judgement in self.judgements:
+            cells = judgement.cells()
             table.append(["", *cells[1:]] if cells[0] == last else cells)
             last = cells[0]
         return table
-
-    def reasons(self) -> list[str]:
-        """Return why rows were not run, each reason once."""
-        return list(dict.fromkeys(f"not run: {f.reason}" for f in self.findings if f.reason))
 
     def save(self, folder: Path) -> None:
         """Write `bars.json`."""
         folder.mkdir(parents=True, exist_ok=True)
         content: dict[str, Any] = {"runs": self.runs, "seed": self.seed}
-        content["findings"] = [
+        content["judgements"] = [
             {
-                "row": f.row.name,
-                "what": f.row.what,
-                "measure": f.measure.words,
-                "values": known(f.values),
-                **asdict(f.bar),
-                "met": f.met,
-                "reason": f.reason,
+                "row": j.row.name,
+                "what": j.row.what,
+                "measure": j.measure.words,
+                "values": or_null(j.values),
+                **asdict(j.bar),
+                "met": j.met,
             }
-            for f in self.findings
+            for j in self.judgements
         ]
         text = json.dumps(content, indent=1, allow_nan=False)
         (folder / "bars.json").write_text(text + "\n", encoding="utf-8")
@@ -93,7 +91,7 @@ def judge(
     rows = [row for row in bar_rows().values() if only in row.name]
     if not rows:
         raise ValueError(f"no row has '{only}' in its name; there are {', '.join(bar_rows())}")
-    findings: list[Finding] = []
+    judgements: list[Judgement] = []
     base: list[MonteCarlo] = []  # many rows are held against it; the others are too large to keep
     for i, row in enumerate(rows):
 
@@ -108,17 +106,12 @@ def judge(
                 base.append(result)
             return result
 
-        try:
-            values, reason = _values(row, run, seed, folder), ""
-        except KeyError as error:  # a key of the configuration that this version does not have
-            values, reason = {}, str(error.args[0])
-        measures = OF_RUNS | OF_REFERENCE | OF_GATE
-        findings += [
-            Finding(row, measures[name], bar, values.get(name, []), reason)
-            for name, bar in row.bars.items()
+        values = _values(row, run, seed, folder)
+        judgements += [
+            Judgement(row, MEASURES[name], bar, values[name]) for name, bar in row.bars.items()
         ]
         progress((i + 1) / len(rows))
-    verdict = Verdict(runs, seed, findings)
+    verdict = Verdict(runs, seed, judgements)
     if folder is not None:
         verdict.save(folder)
     return verdict
@@ -137,7 +130,8 @@ def _values(
         values = {name: OF_GATE[name].of(row.draws, rng) for name in row.bars}
     else:
         result = run(row.change)
-        reference = None if row.reference is None else run(row.reference)
+        # A row without a reference asks for nothing of one.
+        reference = result if row.reference is None else run(row.reference)
         if folder is not None:
             result.save(folder / row.name)
         values = {

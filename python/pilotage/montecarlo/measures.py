@@ -3,10 +3,12 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from typing import Generic, ParamSpec
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..evaluate import mean_of_known, root_mean_square
 from ..lcmtypes import status_t
 from .gate import false_rejects
 from .result import MonteCarlo
@@ -17,14 +19,15 @@ RECOVERY_S = 5.0
 """With two markers in view, in which a robot that was carried away should be right again."""
 NEVER = np.iinfo(np.int64).max
 
+Of = ParamSpec("Of")
+
 
 @dataclass(frozen=True)
-class Measure:
-    """A number, or some, of a result; NaN where the scenario has no such thing."""
+class Measure(Generic[Of]):
+    """A number, or some, of what was run; NaN where the scenario has no such thing."""
 
     words: str
-    of: Callable[..., float | list[float]]
-    """Of a result; of two, the second its reference; or of a number of draws and their chance."""
+    of: Callable[Of, float | list[float]]
     share: bool = False
     """Of the runs or of the time, 0 to 1, shown in percent."""
 
@@ -33,33 +36,30 @@ class Measure:
         return f"{100.0 * value:.2f} %" if self.share else f"{value:.3f}"
 
 
-def mean(values: NDArray[np.float64]) -> float:
-    """Return the mean of what is known; NaN where nothing is."""
-    known = values[np.isfinite(values)]
-    return float(known.mean()) if known.size else np.nan
-
-
-def root_mean_square(values: NDArray[np.float64]) -> float:
-    """Return it of what is known."""
-    return float(np.sqrt(mean(np.square(values))))
+def ratio(rmse: NDArray[np.float64], smallest: NDArray[np.float64]) -> float:
+    """Return errors (g,) as a multiple of others (g,), both by their root mean square over time."""
+    return float(root_mean_square(rmse) / root_mean_square(smallest))
 
 
 def rmse_m(result: MonteCarlo) -> float:
-    """Return the root mean square position error over all runs and times."""
-    return root_mean_square(result.position_m)
+    """Return the root mean square over time of the position RMSE.
+
+    That is, of every time in which a run has a pose, of the root mean square over those runs.
+    """
+    return float(root_mean_square(result.position_m))
 
 
 def rmse_sigma_m(result: MonteCarlo) -> float:
     """Return how far it may be off because the runs are not more."""
-    squares = np.array([mean(np.square(distance)) for distance in result.trials.distance])
-    spread = np.sqrt(mean(np.square(squares - mean(squares))) / result.runs)
+    squares = mean_of_known(np.square(result.trials.distance), axis=1)
+    spread = root_mean_square(squares - mean_of_known(squares)) / np.sqrt(result.runs)
     return float(spread / (2.0 * rmse_m(result)))
 
 
 def over_bound(result: MonteCarlo) -> float:
     """Return it as a multiple of the smallest possible one."""
     bound = result.bound
-    return np.nan if bound is None else rmse_m(result) / root_mean_square(bound.position_m)
+    return np.nan if bound is None else ratio(result.position_m, bound.position_m)
 
 
 def decided(result: MonteCarlo) -> NDArray[np.bool_]:
@@ -80,19 +80,17 @@ def _of_kidnaps(result: MonteCarlo, what: NDArray[np.bool_]) -> float:
 
 def over_reference(result: MonteCarlo, reference: MonteCarlo) -> float:
     """Return the position RMSE as a multiple of another scenario's."""
-    return rmse_m(result) / rmse_m(reference)
+    return ratio(result.position_m, reference.position_m)
 
 
-OF_RUNS = {
+OF_RUNS: dict[str, Measure[[MonteCarlo]]] = {
     "rmse_m": Measure("position RMSE, m", rmse_m),
     "over_bound": Measure("position RMSE / bound", over_bound),
-    "anees": Measure("NEES/dof", lambda r: mean(r.anees)),
+    "anees": Measure("NEES/dof", lambda r: r.nees.mean),
     "nis": Measure("NIS/dof", lambda r: [nis.mean for nis in r.nis.values()]),
     "lost": Measure("lost runs", lambda r: len(r.lost) / r.runs, share=True),
     "ok": Measure("time OK", lambda r: float(r.ok.mean()), share=True),
-    "wrong_ok": Measure(
-        "runs OK while wrong", lambda r: float(r.wrong_ok.any(axis=1).mean()), share=True
-    ),
+    "wrong_ok": Measure("runs OK while wrong", lambda r: len(r.wrong_ok_runs) / r.runs, share=True),
     "right_or_undecided": Measure(
         "right or undecided",
         lambda r: 1.0 - float(r.at_first_ok(r.trials.wrong, False).mean()),
@@ -109,12 +107,15 @@ OF_RUNS = {
     "honest": Measure("not OK until then", lambda r: _of_kidnaps(r, r.honest), share=True),
     "ambiguous": Measure("AMBIGUOUS", lambda r: float(ambiguous(r).mean()), share=True),
 }
-"""By the name that they have in bars.yaml and in montecarlo.json."""
-OF_REFERENCE = {
+"""Of a result, by the name that they have in bars.yaml and in montecarlo.json."""
+OF_REFERENCE: dict[str, Measure[[MonteCarlo, MonteCarlo]]] = {
     "over_reference": Measure("position RMSE / reference", over_reference),
     "reference_anees": Measure("NEES/dof of the reference", lambda _, r: OF_RUNS["anees"].of(r)),
 }
-OF_GATE = {
+"""Of a result and another that it is held against."""
+OF_GATE: dict[str, Measure[[int, np.random.Generator]]] = {
     f"gate_dof_{dof}": Measure(f"false rejects / setting, dof {dof}", partial(false_rejects, dof))
     for dof in (1, 2, 3)
 }
+"""Of a number of draws and their chance."""
+MEASURES: dict[str, Measure[...]] = {**OF_RUNS, **OF_REFERENCE, **OF_GATE}

@@ -9,50 +9,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..evaluate import mean_square_band
+from ..evaluate import root_mean_square
+from ..evaluate.honesty import STEADY_S
 from ..lcmtypes import status_t
-from ..simulate.sensors import COMPONENTS
+from ..sensor_keys import COMPONENTS
 from .bound import Bound
-from .trial import Trial
+from .per_dof import PerDof
+from .trial import NIS_S, Trial
 
 POSE_STATES = 3
 LOST_M = 1.0
-"""A run is lost that is further off than this at some time of the last `LAST_S` seconds."""
+"""A run is lost that is further off, or without a pose, at some time of its last `LAST_S`."""
 LAST_S = 5.0
-STEADY_S = 1.0
-"""Recovered is to be OK and right for so long."""
-
-
-@dataclass(frozen=True)
-class Nis:
-    """NIS per degree of freedom, of a sensor or of one of its components.
-
-    Attributes
-    ----------
-    mean : float
-        Over all sightings of all runs.
-    band : (2,)
-        In which 95 % of such means fall if the filter is consistent.
-    over_time, low, high : (seconds,)
-        The same for the sightings of each second.
-    """
-
-    mean: float
-    band: tuple[float, float]
-    over_time: NDArray[np.float64]
-    low: NDArray[np.float64]
-    high: NDArray[np.float64]
-
-    @classmethod
-    def of(cls, nis: NDArray[np.float64], dof: NDArray[np.float64]) -> "Nis | None":
-        """Summarise sums (runs, seconds); None without sightings."""
-        total, count = nis.sum(axis=0), dof.sum(axis=0)
-        if not count.any():
-            return None
-        with np.errstate(invalid="ignore", divide="ignore"):
-            over_time = total / count
-        low, high = np.array([_band(c) if c else (np.nan, np.nan) for c in count]).T
-        return cls(float(total.sum() / count.sum()), _band(count.sum()), over_time, low, high)
 
 
 @dataclass(frozen=True)
@@ -80,7 +48,7 @@ class MonteCarlo:
     @property
     def kidnapped(self) -> bool:
         """Whether the robot is carried away."""
-        return bool((self.trials.kidnapped < len(self.time_s)).any())
+        return bool((self.trials.kidnap_index < len(self.time_s)).any())
 
     @property
     def runs(self) -> int:
@@ -90,38 +58,40 @@ class MonteCarlo:
     @cached_property
     def position_m(self) -> NDArray[np.float64]:
         """(g,) root mean square over the runs of the position error; NaN before any has a pose."""
-        return _rms(self.trials.distance)
+        return np.asarray(root_mean_square(self.trials.distance, axis=0))
 
     @cached_property
     def heading_rad(self) -> NDArray[np.float64]:
         """(g,) likewise of the heading."""
-        return _rms(self.trials.heading)
+        return np.asarray(root_mean_square(self.trials.heading, axis=0))
 
     @cached_property
-    def anees(self) -> NDArray[np.float64]:
-        """(g,) mean over the runs of NEES per degree of freedom."""
-        return _mean(self.trials.nees) / POSE_STATES
-
-    @property
-    def anees_band(self) -> tuple[float, float]:
-        """In which 95 % of them fall if the filter is consistent."""
-        low, high = mean_square_band(POSE_STATES, count=self.runs)
-        return low / POSE_STATES, high / POSE_STATES
+    def nees(self) -> PerDof:
+        """Of the pose, over the runs that have one."""
+        nees = self.trials.nees
+        known = ~np.isnan(nees)
+        total = np.where(known, nees, 0.0).sum(axis=0)
+        return PerDof.of(self.time_s, total, POSE_STATES * known.sum(axis=0))
 
     @cached_property
-    def nis(self) -> dict[str, Nis]:
-        """By sensor, and where it measures more than one component, by ``sensor component``."""
-        found: dict[str, Nis | None] = {}
+    def nis(self) -> dict[str, PerDof]:
+        """By sensor, and where it measures more than one component, by ``sensor component``.
+
+        Of every sighting that was held against a marker, whether it was fused or not.
+        """
+        found = {}
         for i, (name, components) in enumerate(self.sensors):
-            names = {name: 0} | {f"{name} {c}": 1 + COMPONENTS.index(c) for c in components}
-            for key, part in names.items():
-                if part == 0 or len(components) > 1:
-                    found[key] = Nis.of(self.trials.nis[:, i, part], self.trials.dof[:, i, part])
-        return {key: nis for key, nis in found.items() if nis is not None}
+            parts = {name: 0} | {f"{name} {c}": 1 + COMPONENTS.index(c) for c in components}
+            for key, part in parts.items():
+                nis, dof = (of[:, i, part].sum(axis=0) for of in (self.trials.nis, self.trials.dof))
+                if dof.any() and (part == 0 or len(components) > 1):
+                    middle_s = (np.arange(len(nis), dtype=np.float64) + 0.5) * NIS_S
+                    found[key] = PerDof.of(middle_s, nis, dof)
+        return found
 
     @cached_property
     def lost(self) -> NDArray[np.intp]:
-        """Numbers of the runs that are far off at the end, or have no pose."""
+        """Numbers of the runs that are far off, or have no pose, at some time of the last ones."""
         end = self.trials.distance[:, self.time_s > self.time_s[-1] - LAST_S]
         return np.flatnonzero(~(end <= LOST_M).all(axis=1))
 
@@ -135,10 +105,20 @@ class MonteCarlo:
         """(n, g) whether it was OK while the error was outside what it stated."""
         return self.ok & self.trials.wrong
 
+    @property
+    def wrong_ok_runs(self) -> NDArray[np.intp]:
+        """Numbers of the runs that were so at some time."""
+        return np.flatnonzero(self.wrong_ok.any(axis=1))
+
     @cached_property
     def first_ok(self) -> NDArray[np.intp]:
         """(n,) index of the first time that it was OK; g if it never was."""
         return _first(self.ok)
+
+    @property
+    def first_ok_s(self) -> NDArray[np.float64]:
+        """(n,) when it was, since the beginning of the drive; inf if never."""
+        return np.append(self.time_s, np.inf)[self.first_ok]
 
     def at_first_ok(self, values: NDArray[Any], never: Any) -> NDArray[Any]:
         """(n,) what (n, g) was then; `never` where it never was OK."""
@@ -163,15 +143,15 @@ class MonteCarlo:
     @cached_property
     def honest(self) -> NDArray[np.bool_]:
         """(n,) not wrong and OK once three frames have shown two markers since the kidnap."""
-        pairs, kidnapped = self.trials.pairs, self.trials.kidnapped
-        before = pairs[np.arange(self.runs), np.minimum(kidnapped, pairs.shape[1] - 1)]
+        pairs, index = self.trials.pairs, self.trials.kidnap_index
+        before = pairs[np.arange(self.runs), np.minimum(index, pairs.shape[1] - 1)]
         told = self._after & (pairs - before[:, None] >= 3)
         return np.asarray(~(told & self.wrong_ok).any(axis=1))
 
     @property
     def _after(self) -> NDArray[np.bool_]:
         """(n, g) whether the kidnap has been."""
-        return np.asarray(np.arange(len(self.time_s)) >= self.trials.kidnapped[:, None])
+        return np.asarray(np.arange(len(self.time_s)) >= self.trials.kidnap_index[:, None])
 
     def save(self, folder: Path) -> None:
         """Write `montecarlo.json` and `montecarlo.png`."""
@@ -188,19 +168,3 @@ class MonteCarlo:
 def _first(what: NDArray[np.bool_]) -> NDArray[np.intp]:
     """(n,) first index at which (n, g) holds; g if nowhere."""
     return np.asarray(np.where(what.any(axis=1), what.argmax(axis=1), what.shape[1]))
-
-
-def _mean(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(g,) over the runs that have a value; NaN where none has."""
-    known = np.isfinite(values)
-    count = known.sum(axis=0)
-    total = np.where(known, values, 0.0).sum(axis=0)
-    return np.where(count > 0, total / np.maximum(count, 1), np.nan)
-
-
-def _rms(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    return np.asarray(np.sqrt(_mean(np.square(values))))
-
-
-def _band(count: float) -> tuple[float, float]:
-    return mean_square_band(1, count=int(count))

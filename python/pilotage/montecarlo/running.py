@@ -30,6 +30,8 @@ def run_montecarlo(
     """
     scenario, markers = on_one_site(scenario, seed)
     drive = scenario.drive(scenario.duration_s)
+    same = scenario.start.known and scenario.start.x_m is None and scenario.kidnap is None
+    bound = Bound.of(scenario, markers, drive).every(GRID_STEPS) if same else None
     chunks = [range(first, min(first + CHUNK, runs)) for first in range(0, runs, CHUNK)]
 
     def died(chunk: int) -> str:
@@ -41,8 +43,6 @@ def run_montecarlo(
     calls = [(scenario, seed, chunk) for chunk in chunks]
     parts = list(in_processes(_run_chunk, calls, jobs, died, progress))
     trials = _joined(parts, np.concatenate)
-    same = scenario.start.known and scenario.start.x_m is None and scenario.kidnap is None
-    bound = Bound.of(scenario, markers, drive).every(GRID_STEPS) if same else None
     sensors = [(camera.name, camera.components) for camera in scenario.cameras]
     time_s = (drive.utime[::GRID_STEPS] - drive.utime[0]) * 1e-6
     return MonteCarlo(scenario.name, seed, time_s, trials, sensors, bound)

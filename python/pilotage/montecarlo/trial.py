@@ -17,7 +17,9 @@ from ..simulate.worlds import Surveyed
 GRID_STEPS = 10
 """Motion samples from one time of the results to the next."""
 NIS_STEPS = 100
-"""Motion samples over which NIS is averaged."""
+"""Motion samples over which NIS is summed,"""
+NIS_S = NIS_STEPS * STEP_US * 1e-6
+"""that is, s."""
 STATUS_STEPS = 10
 """Times of the results from one status to the next."""
 NO_POSE = -1
@@ -42,10 +44,10 @@ class Trial:
         Markers that the sensors have in view.
     pairs, triples : (g,) int
         Frames of two, and of three, markers or more up to then.
-    kidnapped : int, or (n,) of many runs
-        Index of the first time after it; g where the robot was not carried away.
-    nis, dof : (sensors, PARTS, seconds) float
-        Sums over the sightings of each second.
+    kidnap_index : int, or (n,) of many runs
+        Of the first time after it; g where the robot was not carried away.
+    nis, dof : (sensors, PARTS, periods) float
+        Sums over the sightings of each `NIS_S`.
     """
 
     distance: NDArray[np.float64]
@@ -56,7 +58,7 @@ class Trial:
     in_view: NDArray[np.int64]
     pairs: NDArray[np.int64]
     triples: NDArray[np.int64]
-    kidnapped: Any
+    kidnap_index: Any
     nis: NDArray[np.float64]
     dof: NDArray[np.float64]
 
@@ -87,8 +89,9 @@ def run_trial(scenario: Scenario, rng: np.random.Generator) -> Trial:
     """Draw, measure, localize and compare."""
     robot = scenario.drawn(rng)
     measured = measure(robot, rng)
-    drive, markers, cameras = measured.drive, measured.markers, robot.cameras
-    config, recording = suitable_config(robot, markers, drive), measured.record()
+    drive, cameras = measured.drive, robot.cameras
+    config = suitable_config(robot, measured.markers, drive)
+    recording = measured.record()
     at = drive.utime[::GRID_STEPS]
     if not robot.start.known:  # without a pose only the status speaks
         recording.add_ticks(at[::STATUS_STEPS])
@@ -111,9 +114,10 @@ def run_trial(scenario: Scenario, rng: np.random.Generator) -> Trial:
         latest = np.searchsorted([s.utime for s in told], at[~known], side="right") - 1
         status[~known] = np.array([s.state for s in told], np.int8)[np.maximum(latest, 0)]
 
+    markers = measured.true_markers
     views = [camera.in_view(camera.look_at_all(drive, markers, at)) for camera in cameras]
     nis, dof = _nis_sums(run.reports, len(cameras), drive.utime)
-    carried = measured.kidnapped
+    carried = measured.kidnapped_at
     return Trial(
         distance=column(errors.distance, np.nan),
         heading=column(errors.heading, np.nan),
@@ -123,20 +127,26 @@ def run_trial(scenario: Scenario, rng: np.random.Generator) -> Trial:
         in_view=np.any(views, axis=0).sum(axis=1),
         pairs=_frames(measured, 2, at),
         triples=_frames(measured, 3, at),
-        kidnapped=len(at) if carried is None else int(np.searchsorted(at, carried)),
+        kidnap_index=len(at) if carried is None else int(np.searchsorted(at, carried)),
         nis=nis,
         dof=dof,
     )
 
 
 def _frames(measured: Measured, markers: int, at: NDArray[np.int64]) -> NDArray[np.int64]:
-    """(g,) how many frames of so many markers or more were fused before each time."""
-    captured = []
+    """(g,) how many frames of so many markers or more were fused before each time.
+
+    That is when they arrive, and the motion sample after them has. What was captured before the
+    robot was carried away tells nothing of it, though it may arrive later: it counts as captured.
+    """
+    fused = []
     for seen in measured.sightings.values():
         _, first, count = np.unique(seen.seq, return_index=True, return_counts=True)
-        captured.append(seen.utime[first[count >= markers]])
-    # A frame waits for the motion sample after it.
-    return np.asarray(np.searchsorted(np.sort(np.concatenate(captured)), at - STEP_US))
+        frames = seen.rows(first[count >= markers])
+        told = frames.utime >= (measured.kidnapped_at or 0)
+        arrived = np.where(told, frames.received, frames.utime)
+        fused.append(np.maximum(arrived, frames.utime + STEP_US))
+    return np.asarray(np.searchsorted(np.sort(np.concatenate(fused)), at))
 
 
 def _nis_sums(

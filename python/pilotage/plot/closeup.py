@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from ..evaluate import MapLike, RunLike, interpolate, pose_errors
+from ..evaluate import HasPoses, MapLike, interpolate, pose_errors
 from . import style
 from .plane import draw_ellipses, draw_estimate, draw_markers, draw_truth, extent, plane
 
@@ -17,7 +17,7 @@ TIMES = 9
 
 
 def closeup_figure(
-    run: RunLike,
+    run: HasPoses,
     truth: NDArray[Any] | None = None,
     markers: MapLike | None = None,
     window_s: tuple[float, float] | None = None,
@@ -26,7 +26,7 @@ def closeup_figure(
 
     Parameters
     ----------
-    run : RunLike
+    run : HasPoses
     truth : structured array with utime, x, y, heading, or None
     markers : MapLike or None
     window_s : (from, to), s since the first pose

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ..evaluate import ellipse_scale
+from ..evaluate import ellipse_axes, ellipse_scale
 
 PROBABILITY = 0.95
 MAGNIFICATIONS = (1, 2, 5, 10, 20, 50, 100)
@@ -29,8 +29,7 @@ def ellipses(
     -------
     (n, corners, 2), m
     """
-    variance, axes = np.linalg.eigh(covariance)
-    radii = ellipse_scale(probability) * np.sqrt(np.maximum(variance, 0.0))
+    radii, axes = ellipse_axes(covariance, probability)
     angle = np.linspace(0.0, 2.0 * np.pi, corners, endpoint=False)
     circle = np.stack([np.cos(angle), np.sin(angle)])
     outline = (axes * radii[:, None, :]) @ circle

@@ -9,8 +9,10 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
-from ..montecarlo.measures import mean, root_mean_square
-from ..montecarlo.result import MonteCarlo, Nis
+from ..evaluate import root_mean_square
+from ..montecarlo.measures import ratio
+from ..montecarlo.per_dof import PerDof
+from ..montecarlo.result import MonteCarlo
 from . import style
 
 NAMED = 6
@@ -29,11 +31,9 @@ def montecarlo_figure(result: MonteCarlo) -> Figure:
     heading = None if bound is None else np.degrees(bound.heading_rad)
     draw_error(panels[0], time, result.position_m, position, "position RMSE", "m", lost)
     draw_error(panels[1], time, np.degrees(result.heading_rad), heading, "heading RMSE", "deg")
-    low, high = (np.full(len(time), end) for end in result.anees_band)
-    draw_ratio(panels[2], time, result.anees, (low, high), mean(result.anees))
-    style.name_axis(panels[2].yaxis, "NEES / dof")
+    draw_ratio(panels[2], result.nees, "", "NEES / dof")
     for axes, (name, nis) in zip(panels[3:], result.nis.items(), strict=True):
-        draw_nis(axes, name, nis)
+        draw_ratio(axes, nis, name, "NIS / dof")
     panels[0].set_xlim(0.0, time[-1])
     style.legend(figure, handles(result))
     return figure
@@ -57,48 +57,35 @@ def draw_error(
     right = f"{root_mean_square(rmse):.3g} {unit}"
     if bound is not None:
         axes.plot(time, bound, color=style.INK, linewidth=0.8, linestyle=DASHED, gid="bound")
-        smallest = root_mean_square(bound)
-        right += f", bound {smallest:.3g} {unit}, ratio {root_mean_square(rmse) / smallest:.3f}"
+        right += f", bound {root_mean_square(bound):.3g} {unit}, ratio {ratio(rmse, bound):.3f}"
     style.headline(axes, "", right)
     style.name_axis(axes.yaxis, f"{name} ({unit})")
     logarithmic(axes)
 
 
-def draw_ratio(
-    axes: Axes,
-    time: NDArray[np.float64],
-    ratio: NDArray[np.float64],
-    band: tuple[NDArray[np.float64], NDArray[np.float64]],
-    average: float,
-) -> None:
+def draw_ratio(axes: Axes, of: PerDof, name: str, axis: str) -> None:
     """Draw what should be 1 within its band."""
-    known = np.isfinite(ratio)
+    known = np.isfinite(of.over_time)
     if not known.any():
         return style.note(axes, "no pose")
-    axes.fill_between(time, *band, facecolor=style.BAND, linewidth=0, gid="band")
+    time, over_time = of.time_s[known], of.over_time[known]
+    lower, upper = of.low[known], of.high[known]
+    axes.fill_between(time, lower, upper, facecolor=style.BAND, linewidth=0, gid="band")
     axes.axhline(1.0, color=style.INK, linewidth=0.6, linestyle=DASHED)
-    axes.plot(time, ratio, color=style.DOT, linewidth=0.9, gid="ratio")
-    inside = style.share((ratio >= band[0])[known] & (ratio <= band[1])[known])
-    size = f"{average:.3f}" if average < FAR else f"{average:,.0f}"
-    style.headline(axes, "", f"mean {size}, {inside} of the time in the band")
+    axes.plot(time, over_time, color=style.DOT, linewidth=0.9, gid="ratio")
+    size = f"{of.mean:.3f}" if of.mean < FAR else f"{of.mean:,.0f}"
+    inside = f"{100.0 * of.inside:.1f} % of the time in the band"
+    style.headline(axes, name, f"mean {size}, {inside}")
+    style.name_axis(axes.yaxis, axis)
     # A few moments, as those of the start, may leave the panel.
-    low, high = np.percentile(ratio[known], (1.0, 99.0))
-    low, high = min(low, float(np.min(band[0]))), max(high, float(np.max(band[1])))
+    low, high = np.percentile(over_time, (1.0, 99.0))
+    low, high = min(low, float(lower.min())), max(high, float(upper.max()))
     if high > FAR:
         axes.set_ylim(max(low, 0.1) / 1.5, high * 1.5)
         logarithmic(axes)
     else:
         margin = 0.15 * (high - low)
         axes.set_ylim(low - margin, high + margin)
-
-
-def draw_nis(axes: Axes, name: str, nis: Nis) -> None:
-    """Draw a sensor's NIS of each second."""
-    seen = np.isfinite(nis.over_time)
-    time = (np.flatnonzero(seen) + 0.5).astype(np.float64)
-    draw_ratio(axes, time, nis.over_time[seen], (nis.low[seen], nis.high[seen]), nis.mean)
-    style.headline(axes, name, axes.get_title(loc="right"))
-    style.name_axis(axes.yaxis, "NIS / dof")
 
 
 def logarithmic(axes: Axes) -> None:

@@ -110,7 +110,7 @@ class Cell:
 
         def struck(stream: Stream, look: Any = None) -> Stream:
             hit = (stream.utime >= start) & (stream.utime < end)
-            return fault(stream, Strike(hit, rng, measured.markers, look))
+            return fault(stream, Strike(hit, rng, measured.true_markers, look))
 
         if self.stream == "markers":
             looks = {camera.name: partial(camera.look, measured.drive) for camera in cameras}

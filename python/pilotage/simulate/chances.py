@@ -6,6 +6,7 @@ import numpy as np
 
 from .. import MarkerMap
 from .drives import Drive
+from .fields import ascending, within
 from .marker_faults import other_ids
 from .sensors import Camera
 from .streams import Stream
@@ -35,6 +36,11 @@ class Start:
     def __post_init__(self) -> None:
         if (self.x_m is None) != (self.y_m is None):
             raise ValueError("x_m and y_m, the box in which the drive begins, go together")
+        within("sigma_position_m", self.sigma_position_m or 0.0, 0.0)
+        within("sigma_heading_rad", self.sigma_heading_rad or 0.0, 0.0)
+        within("error_factor", self.error_factor, 0.0)
+        for name, span in (("x_m", self.x_m), ("y_m", self.y_m)):
+            ascending(name, span or (0.0, 0.0))
 
     def placed(self, drive: Drive, rng: np.random.Generator) -> Drive:
         """Return the drive from where it begins in this run."""
@@ -53,12 +59,16 @@ class Kidnap:
     turn_rad: Span = (0.0, 0.0)
     """To either side."""
 
+    def __post_init__(self) -> None:
+        ascending("at_s", self.at_s, 0.0)
+        ascending("distance_m", self.distance_m, 0.0)
+        ascending("turn_rad", self.turn_rad, 0.0)
+
     def strike(
         self, drive: Drive, markers: MarkerMap, rng: np.random.Generator
     ) -> tuple[Drive, int]:
         """Return the drive and when it broke off [µs]; it goes on within the markers' rectangle."""
         k = int(np.searchsorted(drive.utime, drive.utime[0] + rng.uniform(*self.at_s) * 1e6))
-        k = min(k, len(drive.utime) - 1)
         low, high = markers.positions[:, :2].min(axis=0), markers.positions[:, :2].max(axis=0)
         for _ in range(TRIES):
             way, direction = rng.uniform(*self.distance_m), rng.uniform(-np.pi, np.pi)
@@ -79,10 +89,19 @@ class Outliers:
     """``bearing``: anywhere in view; ``id``: another marker's; ``both``: half and half."""
 
     def __post_init__(self) -> None:
-        if not 0.0 <= self.share <= 1.0:
-            raise ValueError(f"share is {self.share:g}, expected 0 to 1")
+        within("share", self.share, 0.0, 1.0)
         if self.kind not in ("bearing", "id", "both"):
             raise ValueError(f"kind is '{self.kind}', expected bearing, id or both")
+
+    @property
+    def of_bearings(self) -> bool:
+        """Whether some are of bearings."""
+        return self.kind != "id"
+
+    @property
+    def of_ids(self) -> bool:
+        """Whether some are of ids."""
+        return self.kind != "bearing"
 
     def strike(
         self, seen: Stream, camera: Camera, markers: MarkerMap, rng: np.random.Generator

@@ -7,11 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import ArcUnicycle
+from ..evaluate.trajectory import trajectory
+from .fields import within
 
 STEP_US = 10_000
 """Between motion samples, µs."""
 HELD_STEPS = 25
 """For so many steps the spiral's rates hold."""
+OVALS = 6
 STANDS_FIRST_S = 3.0
 """Before the rounds begin."""
 HALF_LAP = np.array(
@@ -27,6 +30,9 @@ HALF_LAP = np.array(
 )
 """Of the rounds; two close a lap. End [s], speed [m/s] and turn rate [rad/s] of each part."""
 RAMP_STEPS = 50
+TURNS_S, FIRST_TURN_RAD = 2.0, -1.33
+"""On the spot, before it begins to weave."""
+WEAVE_S, WEAVES_RAD_S = 8.0, 0.5
 _MODEL = ArcUnicycle()
 
 
@@ -59,6 +65,10 @@ class Drive:
         onward = _MODEL.path(pose, self.increments[k:])
         return replace(self, pose=np.concatenate([self.pose[:k], onward]))
 
+    def truth(self) -> NDArray[np.void]:
+        """Return the poses at the stamps, rows of `evaluate.TRAJECTORY`."""
+        return trajectory(self.utime, self.pose)
+
     @property
     def increments(self) -> NDArray[np.float64]:
         """(n, 2) distance [m] and turn [rad] between the stamps."""
@@ -66,10 +76,15 @@ class Drive:
         return np.column_stack([self.v * dt, self.omega * dt])
 
 
-def drive(start: NDArray[np.float64], v: NDArray[np.float64], omega: NDArray[np.float64]) -> Drive:
-    """Step the core's motion model through the rates, `STEP_US` each."""
-    utime = np.arange(len(v) + 1, dtype=np.int64) * STEP_US + 1_000_000
-    pose = _MODEL.path(start, np.column_stack([v, omega]) * (STEP_US * 1e-6))
+def drive(
+    start: NDArray[np.float64],
+    v: NDArray[np.float64],
+    omega: NDArray[np.float64],
+    step_us: int = STEP_US,
+) -> Drive:
+    """Step the core's motion model through the rates, `step_us` each."""
+    utime = np.arange(len(v) + 1, dtype=np.int64) * step_us + 1_000_000
+    pose = _MODEL.path(start, np.column_stack([v, omega]) * (step_us * 1e-6))
     return Drive(utime, v, omega, pose)
 
 
@@ -91,8 +106,20 @@ def spiral(duration_s: float) -> Drive:
     return drive(np.array([0.0, -1.3 * radius[0], 0.0]), v, omega)
 
 
+def inward_spiral(duration_s: float) -> Drive:
+    """Six ovals, ever narrower and slower, from 34 m by 52 m to a third: a lawn mown inwards."""
+    t = np.arange(round(duration_s * 1e6 / STEP_US) + 2) * (STEP_US * 1e-6 / duration_s)
+    angle, size = 2 * np.pi * OVALS * t, 1.0 - 0.68 * t
+    xy = size[:, None] * np.column_stack([17.0 * np.cos(angle), 26.0 * np.sin(angle)])
+    along = np.diff(xy, axis=0)
+    heading = np.unwrap(np.arctan2(along[:, 1], along[:, 0]))
+    v, omega = np.hypot(*along[:-1].T), np.diff(heading)
+    return drive(np.append(xy[0], heading[0]), *np.stack([v, omega]) / (STEP_US * 1e-6))
+
+
 def circle(duration_s: float, radius_m: float = 1.5, speed_m_s: float = 0.5) -> Drive:
     """Round the middle of the field."""
+    within("radius_m", radius_m, 1e-3)
     n = round(duration_s * 1e6 / STEP_US)
     start = np.array([radius_m, 0.0, np.pi / 2])
     return drive(start, np.full(n, speed_m_s), np.full(n, speed_m_s / radius_m))
@@ -100,6 +127,8 @@ def circle(duration_s: float, radius_m: float = 1.5, speed_m_s: float = 0.5) -> 
 
 def figure_eight(duration_s: float, radius_m: float = 2.5, speed_m_s: float = 0.8) -> Drive:
     """One circle to the left, one to the right, side by side."""
+    within("radius_m", radius_m, 1e-3)
+    within("speed_m_s", speed_m_s, 1e-3)
     t = np.arange(round(duration_s * 1e6 / STEP_US)) * (STEP_US * 1e-6)
     lap_s = 2 * np.pi * radius_m / speed_m_s
     side = np.where((t // lap_s) % 2 == 0, 1.0, -1.0)
@@ -121,10 +150,20 @@ def rounds(duration_s: float) -> Drive:
     return drive(np.array([-4.0, -3.5, 0.0]), v, omega)
 
 
+def weaving(duration_s: float, radius_m: float = 1.9, speed_m_s: float = 0.22) -> Drive:
+    """Round the ring of markers, weaving so that a camera ahead sweeps over them."""
+    t = np.arange(round(duration_s * 1e6 / STEP_US)) * (STEP_US * 1e-6)
+    aside = WEAVES_RAD_S * np.cos(2 * np.pi * (t - TURNS_S) / WEAVE_S)
+    omega = np.where(t < TURNS_S, FIRST_TURN_RAD / TURNS_S, speed_m_s / radius_m + aside)
+    return drive(np.array([-2.0, -0.5, 0.0]), np.where(t < TURNS_S, 0.0, speed_m_s), omega)
+
+
 DRIVES: dict[str, Callable[..., Drive]] = {
     "spiral": spiral,
     "circle": circle,
     "figure-eight": figure_eight,
     "rounds": rounds,
+    "weaving": weaving,
+    "inward-spiral": inward_spiral,
 }
 """By the name that a scenario file calls them."""

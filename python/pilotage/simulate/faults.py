@@ -26,6 +26,7 @@ class Strike:
     rng : numpy.random.Generator
         All chance.
     markers : MarkerMap
+        Where they are.
     look : callable
         What the sensor would measure exactly, (k, 3), of a marker at x, y, z [m] at times (k,) µs.
     """

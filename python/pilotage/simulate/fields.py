@@ -86,6 +86,20 @@ def value_of(kind: Any, value: Any, where: str) -> Any:
     return get_origin(kind)(value_of(inner[0], v, f"{where}[{i}]") for i, v in enumerate(value))
 
 
+def within(name: str, value: float, low: float, high: float = math.inf) -> None:
+    """Raise a ValueError that names the value unless it is a number from `low` to `high`."""
+    if not low <= value <= high:
+        wanted = f"{low:g} or more" if high == math.inf else f"{low:g} to {high:g}"
+        raise ValueError(f"{name} is {value:g}, expected {wanted}")
+
+
+def ascending(name: str, span: tuple[float, float], low: float = -math.inf) -> None:
+    """Raise a ValueError that names the span unless it is from low or more, and then to more."""
+    if not low <= span[0] <= span[1]:
+        order = "from <= to" if low == -math.inf else f"{low:g} <= from <= to"
+        raise ValueError(f"{name} is [{span[0]:g}, {span[1]:g}], expected {order}")
+
+
 def _number(value: Any, where: str) -> float:
     # YAML takes 1e-3, without a point, for a word.
     if isinstance(value, (int, float, str)) and not isinstance(value, bool):

@@ -29,13 +29,13 @@ def swapped_pair(stream: Stream, strike: Strike) -> Stream:
 def moved(stream: Stream, strike: Strike, distance_m: float) -> Stream:
     """A marker stands elsewhere than surveyed, in some direction."""
     marker = _some_seen(stream, strike)
-    surveyed = strike.markers.positions[strike.markers.ids == marker][0]
+    before = strike.markers.positions[strike.markers.ids == marker][0]
     direction = strike.rng.uniform(-np.pi, np.pi)
     step = distance_m * np.array([np.cos(direction), np.sin(direction), 0.0])
     rows = np.flatnonzero(strike.hit & (stream.id == marker))
     utime = stream.utime[rows]
     value = stream.value.copy()
-    value[rows] += strike.look(surveyed + step, utime) - strike.look(surveyed, utime)
+    value[rows] += strike.look(before + step, utime) - strike.look(before, utime)
     value[:, 0] = wrap_angle(value[:, 0])
     return replace(stream, value=value)
 

@@ -8,10 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import Config, MarkerMap, Recording
-from ..evaluate import TRAJECTORY
+from ..sensor_keys import MOUNTING, SIGMAS
 from .drives import Drive
+from .labels import add_labelled
 from .scenario import Scenario
 from .streams import Stream
+from .worlds import as_they_stand
 
 UNKNOWN_ID = -1
 
@@ -34,17 +36,26 @@ class Measured:
 
     Attributes
     ----------
+    markers : MarkerMap
+        As surveyed: the localizer's map.
+    true_markers : MarkerMap
+        Where they are.
     sightings : Stream by the sensor's name
-    kidnapped : int or None, µs
+        With the marker that each is of, also where the sensor does not say.
+    ids : bool
+        Whether sightings say which marker they are of.
+    kidnapped_at : int or None, µs
         When the robot was carried elsewhere.
     """
 
     drive: Drive
     markers: MarkerMap
+    true_markers: MarkerMap
     encoders: Stream
     gyro: Stream
     sightings: dict[str, Stream]
-    kidnapped: int | None = None
+    ids: bool = True
+    kidnapped_at: int | None = None
 
     def record(self) -> Recording:
         """Encode everything, in order of arrival."""
@@ -55,13 +66,19 @@ class Measured:
         recording.add_encoders(
             "ENCODERS", encoders.utime, left, right, encoders.received, encoders.seq
         )
+        labelled = (self.markers.labels >= 0).any()
         for sensor, seen in self.sightings.items():
+            ids = seen.id if self.ids else np.full_like(seen.id, UNKNOWN_ID)
+            if labelled:
+                labels = self.markers.labels[np.searchsorted(self.markers.ids, seen.id)]
+                add_labelled(recording, "MARKERS", sensor, replace(seen, id=ids), labels)
+                continue
             bearing, elevation, slant = seen.value.T
             recording.add_sightings(
                 "MARKERS",
                 sensor,
                 seen.utime,
-                seen.id,
+                ids,
                 bearing,
                 elevation,
                 slant,
@@ -74,39 +91,36 @@ class Measured:
 
     def truth(self) -> NDArray[np.void]:
         """Return the true trajectory, rows of `evaluate.TRAJECTORY`."""
-        truth = np.empty(len(self.drive.utime), TRAJECTORY)
-        truth["utime"] = self.drive.utime
-        for name, column in zip(("x", "y", "heading"), self.drive.pose.T, strict=True):
-            truth[name] = column
-        return truth
+        return self.drive.truth()
 
 
 def measure(scenario: Scenario, rng: np.random.Generator) -> Measured:
     """Drive and measure; all chance comes from `rng`."""
     markers = scenario.site(rng)
     drive = scenario.start.placed(scenario.drive(scenario.duration_s), rng)
-    kidnapped = None
+    kidnapped_at = None
     if scenario.kidnap is not None:
-        drive, kidnapped = scenario.kidnap.strike(drive, markers, rng)
+        drive, kidnapped_at = scenario.kidnap.strike(drive, markers, rng)
+    true_markers = as_they_stand(markers, rng)
     tilt = None if scenario.tilt is None else scenario.tilt.angles(drive, rng)
     rates = Stream.sent(drive.utime, scenario.gyro.rates(drive, rng)[:, None])
     ticks = Stream.sent(drive.utime, scenario.encoders.ticks(drive, rng).astype(np.float64))
     sightings = {}
     for camera in scenario.cameras:
-        utime, marker, value = camera.sightings(drive, markers, rng, tilt)
+        utime, marker, value = camera.sightings(drive, true_markers, rng, tilt)
         seen = Stream.sent(utime, value, marker)
         if scenario.outliers is not None:
             seen = scenario.outliers.strike(seen, camera, markers, rng)
-        if not scenario.ids:
-            seen = replace(seen, id=np.full_like(seen.id, UNKNOWN_ID))
         sightings[camera.name] = seen.late(scenario.latency_s, scenario.jitter_s, rng)
     return Measured(
         drive,
         markers,
+        true_markers,
         encoders=ticks.late(0.0, scenario.jitter_s, rng),
         gyro=rates.late(0.0, scenario.jitter_s, rng),
         sightings=sightings,
-        kidnapped=kidnapped,
+        ids=scenario.ids,
+        kidnapped_at=kidnapped_at,
     )
 
 
@@ -148,13 +162,11 @@ def suitable_config(scenario: Scenario, markers: MarkerMap, drive: Drive) -> Con
             values[f"initial.{name}"] = float(value)
     for camera in scenario.cameras:
         prefix = f"sensors.{camera.name}."
-        for name, value in zip(("x_m", "y_m", "z_m", "yaw_rad"), camera.mounting, strict=True):
+        for name, value in zip(MOUNTING, camera.mounting, strict=True):
             values[prefix + name] = value
-        for name, sigma in zip(
-            ("sigma_bearing_rad", "sigma_elevation_rad", "sigma_range_m"), camera.sigma, strict=True
-        ):
-            if sigma > 0:
-                values[prefix + name] = sigma
+        for (component, key), sigma in zip(SIGMAS.items(), camera.sigma, strict=True):
+            if component in camera.components and sigma > 0:
+                values[prefix + key] = sigma
     for key, number in (values | scenario.config).items():
         config[key] = number
     return config

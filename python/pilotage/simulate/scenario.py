@@ -10,6 +10,7 @@ from .. import Config, MarkerMap
 from . import drives, worlds
 from .chances import Kidnap, Outliers, Start
 from .drives import Drive
+from .fields import within
 from .sensors import Camera, Encoders, Gyro
 from .tilt import Tilt
 
@@ -42,6 +43,32 @@ class Scenario:
     """Whether sightings say which marker they are of."""
     config: dict[str, Any] = field(default_factory=dict)
     """Keys of the configuration, dotted, that differ from those of a suitable one."""
+
+    def __post_init__(self) -> None:
+        within("duration_s", self.duration_s, 1.0, 1e5)
+        within("latency_s", self.latency_s, 0.0, 60.0)
+        within("jitter_s", self.jitter_s, 0.0, 60.0)
+        if self.kidnap is not None and self.kidnap.at_s[1] >= self.duration_s:
+            raise ValueError(
+                f"kidnap.at_s ends at {self.kidnap.at_s[1]:g}, expected before the drive does: "
+                f"duration_s is {self.duration_s:g}"
+            )
+        if self.outliers is not None:
+            self._check_outliers(self.outliers)
+
+    def _check_outliers(self, outliers: Outliers) -> None:
+        """Refuse outliers of what no sensor says."""
+        if outliers.of_ids and not self.ids:
+            raise ValueError(
+                f"outliers.kind is {outliers.kind}, and ids is false: no sighting has an id that "
+                "could be wrong; say kind: bearing"
+            )
+        for camera in self.cameras:
+            if outliers.of_bearings and "bearing" not in camera.components:
+                raise ValueError(
+                    f"outliers.kind is {outliers.kind}, and sensors.{camera.name}.components has "
+                    "no bearing that could be wrong; say kind: id"
+                )
 
     def prior(self) -> tuple[float, float]:
         """Return the stated sigmas of the start: of x and of y [m], and of heading [rad]."""

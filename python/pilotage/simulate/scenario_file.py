@@ -13,9 +13,11 @@ import numpy as np
 import yaml
 
 from .. import Config, MarkerMap
+from ..sensor_keys import MOUNTING, SIGMAS
 from .chances import Kidnap, Outliers, Start
 from .drives import DRIVES, Drive
 from .fields import call, known_keys, mapping, read_yaml, value_of
+from .measuring import suitable_config
 from .scenario import SCENARIOS, Scenario
 from .sensors import Camera, Encoders, Gyro
 from .tilt import Tilt
@@ -32,8 +34,6 @@ PARTS: dict[str, Callable[..., Any]] = {
 }
 VALUES = {"duration_s": float, "latency_s": float, "jitter_s": float, "ids": bool}
 KEYS = ("site", "drive", "sensors", "config", *VALUES, *PARTS)
-MOUNTING = ("x_m", "y_m", "z_m", "yaw_rad")
-SIGMAS = ("sigma_bearing_rad", "sigma_elevation_rad", "sigma_range_m")
 
 
 def find_scenario(name: str, others: Mapping[str, Any] = MappingProxyType({})) -> Scenario:
@@ -77,20 +77,43 @@ def parse_scenario(content: Any, name: str) -> Scenario:
         if key in content
     }
     sensors = mapping(content["sensors"], f"{name}: sensors")
-    scenario = Scenario(
-        name=Path(name).name.removesuffix(".yaml"),
-        site=_site(content["site"], name),
-        drive=_drive(content["drive"], f"{name}: drive"),
-        cameras=tuple(_camera(s, sensors[s], f"{name}: sensors.{s}") for s in sensors),
-        config=dict(_dotted(mapping(content.get("config", {}), f"{name}: config"))),
-        **parts,
-        **values,
-    )
-    if not 1.0 <= scenario.duration_s <= 1e5:
-        raise ValueError(f"{name}: duration_s is {scenario.duration_s:g}, expected 1 to 1e5")
-    if not scenario.cameras:
+    if not sensors:
         raise ValueError(f"{name}: sensors has none, expected one or more")
+    given: dict[str, Any] = {
+        "site": _site(content["site"], name),
+        "drive": _drive(content["drive"], f"{name}: drive"),
+        "cameras": tuple(_camera(s, sensors[s], f"{name}: sensors.{s}") for s in sensors),
+        "config": dict(_dotted(mapping(content.get("config", {}), f"{name}: config"))),
+    }
+    try:
+        scenario = Scenario(Path(name).name.removesuffix(".yaml"), **given, **parts, **values)
+    except ValueError as error:
+        raise ValueError(f"{name}: {error}") from error
+    _try_out(scenario, name)
     return scenario
+
+
+def _try_out(scenario: Scenario, name: str) -> None:
+    """Refuse what only shows where the site and the configuration are made: now, not in a run."""
+    markers = scenario.site(np.random.default_rng(0))
+    if scenario.outliers is not None and scenario.outliers.of_ids and len(markers) < 2:
+        raise ValueError(
+            f"{name}: outliers.kind is {scenario.outliers.kind}, and site has one marker: there is "
+            "no other whose id a sighting could have; say kind: bearing"
+        )
+    drive = scenario.drive(1.0)  # names its place itself
+    try:
+        config = suitable_config(scenario, markers, drive)
+        config.check()
+    except (KeyError, ValueError) as error:
+        words = str(error.args[0]).removeprefix("configuration: ")
+        raise ValueError(f"{name}: config: {words}") from error
+    unknown = set(config.sensors) - {camera.name for camera in scenario.cameras}
+    if unknown:
+        raise ValueError(
+            f"{name}: config: sensors.{min(unknown)} is none of the scenario's sensors: "
+            f"{', '.join(camera.name for camera in scenario.cameras)}"
+        )
 
 
 def _site(content: Any, name: str) -> Callable[[np.random.Generator], MarkerMap]:
@@ -123,7 +146,6 @@ def _drive(content: Any, where: str) -> Callable[[float], Drive]:
             raise ValueError(f"{where} has no 'waypoints', and no name of {', '.join(DRIVES)}")
         function = DRIVES[named]
     make = partial(call, function, content, where)
-    make(duration_s=1.0)  # what is wrong is said now
     return lambda duration_s: make(duration_s=duration_s)
 
 
@@ -135,7 +157,7 @@ def _camera(name: str, content: Any, where: str) -> Camera:
             value_of(float, content.pop(key, default), f"{where}.{key}")
             for key, default in zip(keys, getattr(Camera(name), field), strict=True)
         )
-        for field, keys in (("mounting", MOUNTING), ("sigma", SIGMAS))
+        for field, keys in (("mounting", MOUNTING), ("sigma", SIGMAS.values()))
     }
     return call(Camera, content, where, name=name, **flat)
 

@@ -7,10 +7,14 @@ from numpy.typing import NDArray
 
 from .. import MarkerMap, MarkerModel
 from ..evaluate import wrap_angle
+from ..sensor_keys import COMPONENTS, SIGMAS, in_order
 from .drives import Drive
+from .fields import within
 from .tilt import tilted
+from .wander import gauss_markov
 
-COMPONENTS = ("bearing", "elevation", "range")
+FASTEST_HZ = 1e4
+"""More frames a second than any sensor gives, and than microseconds tell apart well."""
 
 
 @dataclass(frozen=True)
@@ -26,6 +30,17 @@ class Encoders:
     """Measured over true travel of the left and the right wheel, as by a tyre's wear."""
     scale_sigma: float = 0.01
     """How well the scale of both is known beforehand; 0: exactly."""
+    wander: float = 0.0
+    """Part of its travel by which each wheel's comes out wrong, as by slip that comes and goes."""
+    wander_s: float = 20.0
+    """For how long: its correlation time."""
+
+    def __post_init__(self) -> None:
+        within("track_width_m", self.track_width_m, 1e-3, 1e3)
+        within("m_per_tick", self.m_per_tick, 1e-12, 1.0)
+        within("noise_m_per_sqrt_m", self.noise_m_per_sqrt_m, 0.0)
+        within("slip", self.slip, -0.9, 0.9)
+        within("scale_sigma", self.scale_sigma, 0.0, 1.0)
 
     def travel(self, drive: Drive) -> NDArray[np.float64]:
         """(n, 2) travel of the left and the right wheel over each step as without noise, m."""
@@ -39,6 +54,9 @@ class Encoders:
     def ticks(self, drive: Drive, rng: np.random.Generator) -> NDArray[np.int64]:
         """(n + 1, 2) absolute ticks, left and right, at the drive's stamps."""
         travel = self.travel(drive)
+        if self.wander > 0.0:
+            step_s = float(drive.utime[1] - drive.utime[0]) * 1e-6
+            travel *= 1.0 + gauss_markov(self.wander, self.wander_s, step_s, travel.shape, rng)
         travel += np.sqrt(self.variance(travel)) * rng.standard_normal(travel.shape)
         total = np.vstack([np.zeros((1, 2)), np.cumsum(travel, axis=0)])
         return np.rint(total / self.m_per_tick).astype(np.int64)
@@ -55,6 +73,12 @@ class Gyro:
     """Random walk of the bias."""
     bias_sigma_rad_s: float = 1e-3
     """How well the bias at the start is known beforehand; 0: exactly."""
+
+    def __post_init__(self) -> None:
+        within("noise_rad_per_sqrt_s", self.noise_rad_per_sqrt_s, 0.0)
+        within("bias_rad_s", self.bias_rad_s, -10.0, 10.0)
+        within("walk_rad_s_per_sqrt_s", self.walk_rad_s_per_sqrt_s, 0.0)
+        within("bias_sigma_rad_s", self.bias_sigma_rad_s, 0.0, 1.0)
 
     def rates(self, drive: Drive, rng: np.random.Generator) -> NDArray[np.float64]:
         """(n + 1,) mean rate over the interval that ends at each stamp, rad/s."""
@@ -82,13 +106,13 @@ class Camera:
     """Part of what is in view that it misses."""
 
     def __post_init__(self) -> None:
-        if not self.components or not set(self.components) <= set(COMPONENTS):
-            raise ValueError(
-                f"components are {', '.join(self.components) or 'none'}, "
-                f"expected some of {', '.join(COMPONENTS)}"
-            )
-        if self.rate_hz <= 0.0:
-            raise ValueError(f"rate_hz is {self.rate_hz:g}, expected above 0")
+        object.__setattr__(self, "components", in_order(self.components))
+        for key, sigma in zip(SIGMAS.values(), self.sigma, strict=True):
+            within(key, sigma, 0.0)
+        within("rate_hz", self.rate_hz, 1e-3, FASTEST_HZ)
+        within("reach_m", self.reach_m, 0.0)
+        within("half_view_rad", self.half_view_rad, 0.0, 2.0 * np.pi)
+        within("dropout", self.dropout, 0.0, 1.0)
 
     def sightings(
         self,

@@ -7,6 +7,8 @@ from numpy.typing import NDArray
 
 from ..evaluate import wrap_angle
 from .drives import Drive
+from .fields import within
+from .wander import gauss_markov
 
 
 @dataclass(frozen=True)
@@ -18,15 +20,14 @@ class Tilt:
     tau_s: float = 0.0
     """Correlation time; 0: new at every motion sample."""
 
+    def __post_init__(self) -> None:
+        within("rms_rad", self.rms_rad, 0.0, 1.0)
+        within("tau_s", self.tau_s, 0.0)
+
     def angles(self, drive: Drive, rng: np.random.Generator) -> NDArray[np.float64]:
         """(n + 1, 2) pitch (nose down) and roll (right side down) [rad] at the drive's stamps."""
-        from scipy.signal import lfilter
-
         step_s = float(drive.utime[1] - drive.utime[0]) * 1e-6
-        kept = np.exp(-step_s / self.tau_s) if self.tau_s > 0.0 else 0.0
-        drawn = self.rms_rad * rng.standard_normal((len(drive.utime), 2))
-        drawn[1:] *= np.sqrt(1.0 - kept**2)
-        return np.asarray(lfilter([1.0], [1.0, -kept], drawn, axis=0))
+        return gauss_markov(self.rms_rad, self.tau_s, step_s, (len(drive.utime), 2), rng)
 
 
 def tilted(

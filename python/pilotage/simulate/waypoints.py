@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from ..evaluate import wrap_angle
 from .drives import STEP_US, Drive, drive
+from .fields import within
 
 TURN_RAD_S = 0.8
 """On the spot, at every point where the way bends."""
@@ -15,11 +16,9 @@ def waypoints(
 ) -> Drive:
     """Drive straight from point to point and turn there, round and round until the time is up."""
     points = np.array(waypoints)
-    if len(points) < 2 or speed_m_s <= 0.0:
-        raise ValueError(
-            f"a drive by waypoints takes two points or more and a speed above 0 m/s, "
-            f"not {len(points)} and {speed_m_s:g}"
-        )
+    if len(points) < 2:
+        raise ValueError(f"waypoints are {len(points)}, expected two points or more")
+    within("speed_m_s", speed_m_s, 1e-3, 1e3)
     legs = np.roll(points, -1, axis=0) - points
     length, direction = np.hypot(*legs.T), np.arctan2(legs[:, 1], legs[:, 0])
     if (length == 0.0).any():

@@ -16,15 +16,25 @@ class Surveyed:
     ids: NDArray[np.int32]
     positions: NDArray[np.float64]
     sigmas: NDArray[np.float64]
+    labels: NDArray[np.int32]
 
     @classmethod
     def of(cls, markers: MarkerMap) -> "Surveyed":
         """Take the markers of a map."""
-        return cls(markers.ids, markers.positions, markers.sigmas)
+        return cls(markers.ids, markers.positions, markers.sigmas, markers.labels)
 
     def __call__(self, _: np.random.Generator) -> MarkerMap:
         """Return the map."""
-        return MarkerMap(self.ids, self.positions, self.sigmas)
+        return MarkerMap(self.ids, self.positions, self.sigmas, self.labels)
+
+
+def as_they_stand(surveyed: MarkerMap, rng: np.random.Generator) -> MarkerMap:
+    """Return where the markers are of which that is the survey: off by its sigma in x and in y."""
+    if not surveyed.sigmas.any():
+        return surveyed
+    positions = surveyed.positions.copy()
+    positions[:, :2] += surveyed.sigmas[:, None] * rng.standard_normal((len(surveyed), 2))
+    return MarkerMap(surveyed.ids, positions, surveyed.sigmas, surveyed.labels)
 
 
 def mower_site(rng: np.random.Generator) -> MarkerMap:
@@ -67,6 +77,13 @@ def yard() -> MarkerMap:
     return MarkerMap(np.arange(10), np.column_stack([xy, np.full(10, 0.5)]))
 
 
+def ring(radius_m: float = 2.8) -> MarkerMap:
+    """Six markers on the wall of a round arena, at the height of a small robot's camera."""
+    angle = np.pi / 9 + np.arange(6) * np.pi / 3
+    xy = radius_m * np.column_stack([np.cos(angle), np.sin(angle)])
+    return MarkerMap(np.arange(6), np.column_stack([xy, np.full(6, 0.1)]))
+
+
 def _on_ground(xy: np.ndarray) -> MarkerMap:
     return MarkerMap(np.arange(len(xy)), np.column_stack([xy, np.zeros(len(xy))]))
 
@@ -76,5 +93,6 @@ SITES: dict[str, Callable[[np.random.Generator], MarkerMap]] = {
     "four-poles": lambda _: four_poles(),
     "hall": hall,
     "yard": lambda _: yard(),
+    "ring": lambda _: ring(),
 }
 """By the name that a scenario file calls them."""

@@ -4,14 +4,13 @@ from .coverage import Coverage
 from .ground import Area, Ground
 from .layout import APART, Layout
 from .motion import Motion
-from .sight import SIGMAS, Sight, measured
+from .sight import Sight, guessed
 from .survey import Survey
 from .symmetry import Match, elsewhere, symmetries
 from .views import View, Views
 
 __all__ = [
     "APART",
-    "SIGMAS",
     "Area",
     "Coverage",
     "Ground",
@@ -23,6 +22,6 @@ __all__ = [
     "View",
     "Views",
     "elsewhere",
-    "measured",
+    "guessed",
     "symmetries",
 ]

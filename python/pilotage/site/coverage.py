@@ -60,12 +60,12 @@ class Coverage:
     ) -> "Coverage":
         """Look at every marker with every sensor from every pose.
 
-        `sigma_heading_rad` is of the heading by dead reckoning, before the frame.
+        `sigma_heading_rad` is of the heading by dead reckoning, before the frame; 0: exactly known.
         """
         poses = ground.poses()
         visible = np.zeros((len(poses), len(markers)), dtype=bool)
         information = np.zeros((len(poses), 3, 3))
-        information[:, 2, 2] = sigma_heading_rad**-2
+        information[:, 2, 2] = sigma_heading_rad**-2 if sigma_heading_rad > 0.0 else np.inf
         for column, (marker, sigma) in enumerate(
             zip(markers.positions.tolist(), markers.sigmas.tolist(), strict=True)
         ):
@@ -87,6 +87,11 @@ class Coverage:
     def count(self) -> NDArray[np.intp]:
         """(ny, nx, h) markers in view."""
         return np.asarray(self.visible.sum(axis=-1))
+
+    def radius_of_part(self, part: float) -> float:
+        """Return what `average_m` is no more than in that part, 0 to 1, of the area."""
+        radius = np.sort(self.average_m, axis=None)
+        return float(radius[int(part * (radius.size - 1))])
 
     def fewer(self, than: int) -> "Few":
         """Return how much of it all has fewer markers in view."""

@@ -52,7 +52,8 @@ class Ground:
         wide, high = area[2] - area[0], area[3] - area[1]
         cells = np.clip(TRIALS / (markers * sensors * count), *CELLS)
         side = np.sqrt(wide * high / cells)
-        nx, ny = (max(2, int(np.ceil(length / side))) for length in (wide, high))
+        # Of a long and thin area two rows, and as many columns as make no more cells.
+        nx, ny = (int(np.clip(np.ceil(n / side), 2, cells // 2)) for n in (wide, high))
         return cls(
             area,
             area[0] + (np.arange(nx) + 0.5) * wide / nx,

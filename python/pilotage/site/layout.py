@@ -1,6 +1,6 @@
 """Where the markers stand, and which of them could be taken for each other."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -26,29 +26,29 @@ class Layout:
     ----------
     z : (n,) complex, m
     height : (n,) float, m; 0 where the sensors do not measure it
-    label : (n,) int; markers of different label are never taken for each other
+    label : (n,) int; -1 none; markers of different label are never taken for each other
     """
 
     ids: NDArray[np.int32]
     z: NDArray[np.complex128]
     height: NDArray[np.float64]
-    label: NDArray[np.int64]
+    label: NDArray[np.int32]
     labelled: bool
     """Whether the map has labels: then sensors tell these, not ids."""
     sigma_m: float
     """Of the survey, of most markers."""
 
     @classmethod
-    def of(cls, markers: MarkerMap, heights: bool = False) -> "Layout":
-        """Read a map; `heights` says that the sensors see how high a marker is."""
+    def of(cls, markers: MarkerMap, sights: Iterable[Sight] = ()) -> "Layout":
+        """Read a map; sensors that measure elevations see how high a marker is."""
         x, y, z = markers.positions.T
-        labels = np.asarray(getattr(markers, "labels", np.full(len(markers), -1)), dtype=np.int64)
+        heights = any("elevation" in sight.components for sight in sights)
         return cls(
             ids=markers.ids,
             z=x + 1j * y,
             height=z if heights else np.zeros(len(markers)),
-            label=labels,
-            labelled=bool(np.any(labels >= 0)),
+            label=markers.labels,
+            labelled=bool(np.any(markers.labels >= 0)),
             sigma_m=float(np.median(markers.sigmas)) if len(markers) else 0.0,
         )
 
@@ -98,8 +98,9 @@ class Layout:
     def twins(self, within_m: float) -> list[tuple[int, int, float]]:
         """Find pairs nearer than that: two indices and their distance, the nearest first."""
         pairs = self.tree.query_pairs(within_m)
+        apart = ((i, j, self.tree.data[i] - self.tree.data[j]) for i, j in pairs)
         return sorted(
-            ((i, j, float(abs(self.z[i] - self.z[j]))) for i, j in pairs), key=lambda t: t[2]
+            ((i, j, float(np.linalg.norm(arm))) for i, j, arm in apart), key=lambda t: t[2]
         )
 
     def like(self, one: int, other: int, tolerance_m: float) -> tuple[Indices, Indices]:

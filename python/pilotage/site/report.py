@@ -21,7 +21,6 @@ def save_report(survey: Survey, findings: list[dict[str, Any]], path: Path) -> N
 def to_dict(survey: Survey) -> dict[str, Any]:
     """Return numbers, ids and words; a length that is infinite becomes None."""
     views, coverage = survey.views, survey.coverage
-    radius = np.sort(coverage.average_m, axis=None)
     return {
         "markers": len(survey.layout),
         "tolerance_m": survey.tolerance_m,
@@ -29,6 +28,7 @@ def to_dict(survey: Survey) -> dict[str, Any]:
             {
                 "name": sight.name,
                 "components": list(sight.components),
+                "known_by": sight.known_by,
                 "reach_m": _length(sight.reach_m),
                 "view_deg": math.degrees(sight.view_rad),
             }
@@ -44,7 +44,7 @@ def to_dict(survey: Survey) -> dict[str, Any]:
         },
         "in_view": [{"fewer_than": than} | coverage.fewer(than)._asdict() for than in (1, 2, 3)],
         "average_radius_95_m": {
-            f"{100 * part:.0f} % of the area": _length(radius[int(part * (len(radius) - 1))])
+            f"{100 * part:.0f} % of the area": _length(coverage.radius_of_part(part))
             for part in (0.1, 0.5, 0.9)
         },
     }

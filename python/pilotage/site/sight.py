@@ -1,6 +1,6 @@
 """What a configured sensor sees of markers, and how well."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,13 +8,8 @@ from numpy.typing import NDArray
 
 from .. import Config, MarkerModel
 from ..evaluate import wrap_angle
+from ..sensor_keys import COMPONENTS, MOUNTING, SIGMAS, in_order
 
-SIGMAS = {
-    "bearing": "sigma_bearing_rad",
-    "elevation": "sigma_elevation_rad",
-    "range": "sigma_range_m",
-}
-"""The key of each component's noise, in the core's order."""
 ASSUMED = ("bearing", "range")
 """Of a sensor whose noise is the default throughout."""
 STEP = 1e-5
@@ -23,8 +18,11 @@ STEP = 1e-5
 Array = NDArray[np.float64]
 
 
-def measured(config: Config, name: str) -> tuple[str, ...]:
-    """Return the components that a sensor measures: who has none leaves its noise alone."""
+def guessed(config: Config, name: str) -> tuple[str, ...]:
+    """Return the components whose noise is not the default: who has none leaves it alone.
+
+    Only frames tell what a sensor measures; this is a guess, wrong of a noise that is the default.
+    """
     default = Config()
     return tuple(
         component
@@ -39,7 +37,9 @@ class Sight:
 
     name: str
     components: tuple[str, ...]
-    mounting: tuple[float, float, float, float]
+    known_by: str
+    """How it is known what they are, in words."""
+    mounting: tuple[float, ...]
     """x, y, z [m] and yaw [rad] in the robot frame."""
     sigmas: dict[str, float]
     """Of each component, rad or m."""
@@ -51,16 +51,26 @@ class Sight:
     """The whole angle, half of it to each side."""
 
     @classmethod
-    def of(cls, config: Config, name: str, reach_m: float, view_rad: float) -> "Sight":
-        """Read a sensor of a configuration."""
+    def of(
+        cls,
+        config: Config,
+        name: str,
+        reach_m: float = np.inf,
+        view_rad: float = 2.0 * np.pi,
+        components: Iterable[str] = (),
+    ) -> "Sight":
+        """Read a sensor of a configuration, which measures these components; none are guessed."""
+        guess = guessed(config, name)
+        known_by = "told" if components else "guessed by its noise" if guess else "assumed"
 
         def value(key: str) -> float:
             return float(config[f"sensors.{name}.{key}"])
 
         return cls(
             name,
-            measured(config, name) or ASSUMED,
-            (value("x_m"), value("y_m"), value("z_m"), value("yaw_rad")),
+            in_order(components or guess or ASSUMED),
+            known_by,
+            tuple(value(key) for key in MOUNTING),
             {component: value(key) for component, key in SIGMAS.items()},
             value("sigma_range_per_m"),
             value("min_distance_m"),
@@ -70,7 +80,7 @@ class Sight:
 
     def sees(self, marker: Sequence[float], poses: Array) -> NDArray[np.bool_]:
         """Tell from which robot poses (n, 3) a marker at x, y, z [m] is in view, (n,)."""
-        bearing, elevation, slant = self._predict(marker, tuple(SIGMAS), poses).T
+        bearing, elevation, slant = self._predict(marker, COMPONENTS, poses).T
         return np.asarray(
             (slant <= self.reach_m)
             & (slant * np.cos(elevation) >= self.min_distance_m)

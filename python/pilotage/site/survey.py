@@ -1,6 +1,6 @@
 """All that is found out about a map."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -39,6 +39,7 @@ class Survey:
         reach_m: float = np.inf,
         view_rad: float = 2.0 * np.pi,
         area: Area | None = None,
+        components: Sequence[str] = (),
         progress: Callable[[float], None] | None = None,
     ) -> "Survey":
         """Look at the configuration's map with its sensors.
@@ -51,12 +52,14 @@ class Survey:
             Of every sensor; the view is the whole angle.
         area : Area or None
             Where the robot drives; by default the markers' box and a little around it.
+        components : sequence of str
+            That every sensor measures; without any they are guessed by the configured noise.
         progress : callable or None
             Takes the part that is done, 0 to 1.
         """
         report = progress or (lambda done: None)
-        sights = [Sight.of(config, name, reach_m, view_rad) for name in config.sensors]
-        layout = Layout.of(config.map, any("elevation" in s.components for s in sights))
+        sights = [Sight.of(config, n, reach_m, view_rad, components) for n in config.marker_sensors]
+        layout = Layout.of(config.map, sights)
         tolerance_m = layout.tolerance_m(sights)
         mirror = not gives_bearings(sights)
         found = symmetries(layout, tolerance_m, mirror)

@@ -41,13 +41,14 @@ def percent(part: float) -> str:
     return f"{100.0 * part:.1f} %" if 0.0 < part < 0.095 else f"{100.0 * part:.0f} %"
 
 
-def metres(radius_m: float) -> str:
-    """Write a radius, also one that is not known."""
-    return f"{radius_m:.3g} m" if math.isfinite(radius_m) else "not fixed"
+def _up_to(radius_m: float) -> str:
+    return f"up to {radius_m:.3g} m" if math.isfinite(radius_m) else "not fixed"
 
 
 def _seen(survey: Survey) -> str:
-    parts = [f"{sight.name} measures {' and '.join(sight.components)}" for sight in survey.sights]
+    parts = [
+        f"{s.name} measures {' and '.join(s.components)} ({s.known_by})" for s in survey.sights
+    ]
     first = survey.sights[0]
     reach = f"to {first.reach_m:g} m" if math.isfinite(first.reach_m) else "however far"
     view = math.degrees(first.view_rad)
@@ -88,12 +89,11 @@ def _in_view(survey: Survey) -> list[str]:
 
 def _position(survey: Survey) -> list[str]:
     coverage, alert = survey.coverage, survey.alert_limit_m
-    radius = np.sort(coverage.average_m, axis=None)
-    half, most = (metres(float(radius[int(part * (len(radius) - 1))])) for part in (0.5, 0.9))
+    half, most = (_up_to(coverage.radius_of_part(part)) for part in (0.5, 0.9))
     heading = f"{math.degrees(survey.sigma_heading_rad):.2g}° (initial.sigma_heading_rad)"
     enough = percent(float(np.mean(coverage.radius_m <= alert)))
     return [
         f"95 % radius of an average frame, with the heading known to {heading}:",
-        f"up to {half} in the better half of the area, up to {most} in nine tenths",
+        f"{half} in the better half of the area, {most} in nine tenths",
         f"one frame fixes it to {alert:g} m (status.alert_limit_m) from {enough} of all poses",
     ]

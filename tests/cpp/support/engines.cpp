@@ -60,6 +60,17 @@ void Bench::run(const std::vector<Sample>& samples) {
                 send("POSE_RESET", reset(t, pose[0], pose[1], pose[2]));
                 break;
             }
+            case Stream::fix: {
+                const double* value = s.payload.fix.value;
+                send("FIX", pose_fix(t, "dock", value[0], value[1], value[2], NAN, s.seq));
+                break;
+            }
+            case Stream::beam: {
+                const Beam& beam = s.payload.beam;
+                send("WALLS",
+                     wall_ranges(t, "laser", {beam.angle_rad}, {beam.range_m}, NAN, s.seq));
+                break;
+            }
         }
     }
 }

@@ -39,16 +39,17 @@ Verdict Tally::of(const Sample& sample) const {
     return at == verdicts_.end() ? Verdict::pending : at->second;
 }
 
-Robot::Any Robot::make(const Kind& kind, const Params& params, const MarkerMap& map, Tally& tally) {
+Robot::Any Robot::make(const Kind& kind, const Params& params, const MarkerMap& map,
+                       const WallMap& walls, Tally& tally) {
     const bool pose_only = kind.states == kPoseStates;
-    if (kind.is_double && pose_only) return Any(std::in_place_index<0>, params, map, tally);
-    if (kind.is_double) return Any(std::in_place_index<1>, params, map, tally);
-    if (pose_only) return Any(std::in_place_index<2>, params, map, tally);
-    return Any(std::in_place_index<3>, params, map, tally);
+    if (kind.is_double && pose_only) return Any(std::in_place_index<0>, params, map, tally, walls);
+    if (kind.is_double) return Any(std::in_place_index<1>, params, map, tally, walls);
+    if (pose_only) return Any(std::in_place_index<2>, params, map, tally, walls);
+    return Any(std::in_place_index<3>, params, map, tally, walls);
 }
 
-Robot::Robot(const Kind& kind, const Params& params, const MarkerMap& map)
-    : localizer_(make(kind, params, map, tally)) {}
+Robot::Robot(const Kind& kind, const Params& params, const MarkerMap& map, const WallMap& walls)
+    : localizer_(make(kind, params, map, walls, tally)) {}
 
 bool Robot::add(const Sample& sample) {
     ++added_;

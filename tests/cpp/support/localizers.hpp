@@ -53,7 +53,8 @@ class Robot {
    public:
     Tally tally;
 
-    Robot(const Kind& kind, const Params& params, const MarkerMap& map = {});
+    Robot(const Kind& kind, const Params& params, const MarkerMap& map = {},
+          const WallMap& walls = {});
 
     bool add(const Sample& sample);
     void add(const std::vector<Sample>& samples);
@@ -77,7 +78,8 @@ class Robot {
    private:
     using Any = std::variant<Localizer<double, kPoseStates>, Localizer<double, kCalibratedStates>,
                              Localizer<float, kPoseStates>, Localizer<float, kCalibratedStates>>;
-    static Any make(const Kind& kind, const Params& params, const MarkerMap& map, Tally& tally);
+    static Any make(const Kind& kind, const Params& params, const MarkerMap& map,
+                    const WallMap& walls, Tally& tally);
 
     Any localizer_;
     int added_ = 0;

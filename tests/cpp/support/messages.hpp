@@ -10,11 +10,15 @@
 #include "engine/codecs.hpp"
 #include "pilotage/encoders_t.hpp"
 #include "pilotage/gyro_t.hpp"
+#include "pilotage/heading_t.hpp"
 #include "pilotage/marker_frame_t.hpp"
+#include "pilotage/pose_fix_t.hpp"
 #include "pilotage/pose_reset_t.hpp"
+#include "pilotage/position_fix_t.hpp"
 #include "pilotage/reference_t.hpp"
 #include "pilotage/tick_t.hpp"
 #include "pilotage/velocity_t.hpp"
+#include "pilotage/wall_range_t.hpp"
 
 namespace pilotage::test {
 
@@ -76,6 +80,60 @@ template <typename Message>
     m.y = y;
     m.heading = heading;
     m.covariance[0] = m.covariance[4] = m.covariance[8] = variance;
+    return m;
+}
+
+[[nodiscard]] inline heading_t heading(std::int64_t utime, const std::string& sensor,
+                                       double heading, double sigma = NAN, std::int32_t seq = 0) {
+    heading_t m{};
+    m.utime = utime;
+    m.seq = seq;
+    m.sensor = sensor;
+    m.heading = heading;
+    m.sigma = sigma;
+    return m;
+}
+
+[[nodiscard]] inline position_fix_t position_fix(std::int64_t utime, const std::string& sensor,
+                                                 double x, double y, double variance = NAN,
+                                                 std::int32_t seq = 0) {
+    position_fix_t m{};
+    m.utime = utime;
+    m.seq = seq;
+    m.sensor = sensor;
+    m.x = x;
+    m.y = y;
+    m.covariance[0] = m.covariance[3] = variance;
+    m.covariance[1] = m.covariance[2] = variance * 0;
+    return m;
+}
+
+[[nodiscard]] inline pose_fix_t pose_fix(std::int64_t utime, const std::string& sensor, double x,
+                                         double y, double heading, double variance = NAN,
+                                         std::int32_t seq = 0) {
+    pose_fix_t m{};
+    m.utime = utime;
+    m.seq = seq;
+    m.sensor = sensor;
+    m.x = x;
+    m.y = y;
+    m.heading = heading;
+    for (int i = 0; i < 9; ++i) m.covariance[i] = i % 4 == 0 ? variance : variance * 0;
+    return m;
+}
+
+[[nodiscard]] inline wall_range_t wall_ranges(std::int64_t utime, const std::string& sensor,
+                                              const std::vector<double>& angles,
+                                              const std::vector<double>& ranges, double sigma = NAN,
+                                              std::int32_t seq = 0) {
+    wall_range_t m{};
+    m.utime = utime;
+    m.seq = seq;
+    m.sensor = sensor;
+    m.n = static_cast<std::int32_t>(angles.size());
+    m.angle = angles;
+    m.range = ranges;
+    m.sigma.assign(angles.size(), sigma);
     return m;
 }
 

@@ -35,6 +35,18 @@ inline constexpr double kInf = std::numeric_limits<double>::infinity();
     return Sample::make(utime, 0, Stream::sighting, sighting, 0, index);
 }
 
+/// NaN where not measured; noise is as configured.
+[[nodiscard]] inline Sample fix_at(std::int64_t utime, const Pose<double>& value,
+                                   std::int32_t seq = 0) {
+    return Sample::make(utime, seq, Stream::fix,
+                        Fix{{value[0], value[1], value[2]}, {kNan, kNan, kNan, kNan, kNan, kNan}});
+}
+
+[[nodiscard]] inline Sample beam_at(std::int64_t utime, double angle_rad, double range_m,
+                                    std::uint16_t index = 0) {
+    return Sample::make(utime, 0, Stream::beam, Beam{angle_rad, range_m, kNan}, 0, index);
+}
+
 [[nodiscard]] inline Sample reset_at(std::int64_t utime, const Pose<double>& pose,
                                      const Vector<double, 3>& sigmas, std::int32_t seq = 0) {
     const PoseReset reset{

@@ -5,6 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pilotage import MarkerMap
+from pilotage.checks import check_config
 from pilotage.checks.site import check_survey
 from pilotage.simulate import worlds
 from pilotage.site import Survey
@@ -65,6 +67,30 @@ def test_twins_are_named_with_what_the_sensor_tells_apart():
     assert "eye tells apart 0.24 m (3 σ)" in finding.problem
     assert not finding.note
     assert _found(site(TWINS)) == []  # a sensor of 5 cm tells them apart
+
+
+def test_twins_are_told_apart_by_height_where_elevations_are_measured():
+    sensor = {"sigma_bearing_rad": 0.02, "sigma_range_m": 0.08}
+    config = site(TWINS, sensor)
+    positions = config.map.positions
+    positions[10, 2] += 0.1
+    config.map = MarkerMap(config.map.ids, positions)
+    (flat,) = _found(config)
+    assert "markers 4 and 10 are 0.2 m apart" in flat.problem
+    config["sensors.eye.sigma_elevation_rad"] = 0.01
+    (high,) = _found(config)
+    assert "markers 4 and 10 are 0.224 m apart" in high.problem
+    positions[10, 2] += 3.0
+    config.map = MarkerMap(config.map.ids, positions)
+    assert _found(config) == []
+    assert [f for f in check_config(config) if f.key == "map"] == []
+
+
+def test_what_is_told_of_the_sensor_counts_for_twins():
+    sensor = {"sigma_bearing_rad": 0.02, "sigma_range_m": 0.5}
+    assert any("apart" in f.problem for f in _found(site(TWINS, sensor)))
+    found = _found(site(TWINS, sensor), components=["bearing"])
+    assert not any("0.5" in f.problem for f in found if "tells apart" in f.problem)
 
 
 def test_ranges_from_a_line_are_a_warning_with_or_without_ids():

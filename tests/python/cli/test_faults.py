@@ -44,9 +44,11 @@ def test_cells_that_were_not_run_are_shown_as_such(tmp_path: Path):
         (["--only", "nothing"], ["nothing", "encoders", "swapped pair"]),
         (["--jobs", "0"], ["--jobs", "0", "-1"]),
         (["--runs", "0"], ["--runs"]),
+        (["-o", "a-file"], ["-o a-file", "another folder"]),
     ],
 )
 def test_what_cannot_be_run_is_named(tmp_path: Path, arguments, words):
+    (tmp_path / "a-file").touch()
     result = pilotage("faults", *arguments, cwd=tmp_path)
     assert result.returncode == 2
     assert "Traceback" not in result.stderr

@@ -29,7 +29,7 @@ def test_a_configuration_is_looked_at_with_its_own_sensors(folder: Path):
     assert result.returncode == 0, result.stderr
     for words in (
         "4 markers",
-        "eye measures bearing and range; however far, all round",
+        "eye measures bearing and range (guessed by its noise); however far, all round",
         "turned by 180° about (2.0, 2.0) m, all 4 markers fall on markers",
         "fit elsewhere too: 100 % of all poses",
         "fewer than 3        0 %            0 %           0 %",
@@ -53,7 +53,13 @@ def test_a_map_is_looked_at_with_another_files_sensors(folder: Path):
 def test_a_map_alone_is_looked_at_with_an_assumed_sensor(folder: Path):
     result = pilotage("map", "check", "square.yaml", cwd=folder)
     assert result.returncode == 0, result.stderr
-    assert "assumed measures bearing and range" in result.stdout
+    assert "assumed measures bearing and range (assumed)" in result.stdout
+
+
+def test_what_is_measured_can_be_told(folder: Path):
+    result = pilotage("map", "check", "robot.yaml", "--components", "range", cwd=folder)
+    assert result.returncode == 0, result.stderr
+    assert "eye measures range (told)" in result.stdout
 
 
 def test_a_folder_gets_the_numbers_and_the_picture(folder: Path):
@@ -63,6 +69,8 @@ def test_a_folder_gets_the_numbers_and_the_picture(folder: Path):
     assert "to 3 m, within 90°" in result.stdout
     assert "x -4.0 to 8.0 m" in result.stdout
     assert (folder / "out" / "map.png").read_bytes().startswith(b"\x89PNG")
+    assert "not fixed in nine tenths" in result.stdout
+    assert "up to not" not in result.stdout
     content = json.loads((folder / "out" / "map.json").read_text())
     assert content["area"] == {"x_min": -4, "y_min": -4, "x_max": 8, "y_max": 8}
     assert [s["turn_deg"] for s in content["symmetries"]] == pytest.approx([90, -90, 180])
@@ -83,6 +91,9 @@ def test_a_folder_gets_the_numbers_and_the_picture(folder: Path):
         (["robot.yaml", "--reach", "0"], ["--reach is 0", "more than 0 m"]),
         (["robot.yaml", "--view", "400"], ["--view is 400", "360°"]),
         (["robot.yaml", "--area", "1", "2", "1", "4"], ["--area is 1 2 1 4", "highest"]),
+        (["robot.yaml", "--area", "0", "0", "inf", "3"], ["--area is 0 0 inf 3", "numbers"]),
+        (["robot.yaml", "--components", "colour"], ["components are colour", "elevation"]),
+        (["robot.yaml", "-o", "robot.yaml"], ["-o robot.yaml", "another folder"]),
     ],
 )
 def test_what_cannot_be_looked_at_is_named(folder: Path, arguments, words):

@@ -38,6 +38,21 @@ def test_a_seed_gives_the_same_file(tmp_path: Path):
     assert a != c
 
 
+@pytest.mark.parametrize(
+    ("name", "arguments"),
+    [("lab.yaml", ["-o", "lab.lcmlog"]), ("lab.yaml", ["--live", "--no-wait"]),
+     ("lab.yml", ["-o", "lab.yml"])],
+)  # fmt: skip
+def test_the_scenario_itself_is_not_written_over(tmp_path: Path, name: str, arguments: list[str]):
+    scenario = "site: yard\ndrive: rounds\nduration_s: 2\nsensors: {eye: {}}\n"
+    (tmp_path / name).write_text(scenario)
+    result = pilotage("simulate", f"../{tmp_path.name}/{name}", *arguments, cwd=tmp_path)
+    assert result.returncode == 2
+    assert f"{name} would be written, and is the scenario itself: " in result.stderr
+    assert [file.name for file in tmp_path.iterdir()] == [name]
+    assert (tmp_path / name).read_text() == scenario
+
+
 def test_a_fault_is_in_the_log(tmp_path: Path):
     log = tmp_path / "yard.lcmlog"
     simulated = pilotage("simulate", "yard", "-o", log, "--fault", "gyro NaN")
@@ -54,12 +69,12 @@ def test_a_fault_is_in_the_log(tmp_path: Path):
         (["figure-eight", "-o", "x.lcmlog", "--live"], ["-o", "--live"]),
         (["figure-eight", "-o", "x.yaml"], ["x.yaml", "another name"]),
         (["figure-eight", "-o", "missing/x.lcmlog"], ["missing/x.lcmlog", "No such file"]),
-        (["figure-eight", "-o", "x.lcmlog", "--duration", "0"], ["--duration", "0", "1 to"]),
+        (["figure-eight", "-o", "x.lcmlog", "--duration", "0"], ["duration_s is 0", "1 to"]),
         (["figure-eight", "-o", "x.lcmlog", "--noise", "-1"], ["--noise", "-1", "0 to"]),
         (["yard", "-o", "x.lcmlog", "--fault", "gyro dead"], ["gyro dead", "markers", "stuck"]),
-        (["figure-eight", "-o", "x.lcmlog", "--slip", "1"], ["--slip", "1", "0.9"]),
-        (["figure-eight", "-o", "x.lcmlog", "--latency", "nan"], ["--latency", "nan"]),
-        (["figure-eight", "-o", "x.lcmlog", "--gyro-bias", "inf"], ["--gyro-bias", "inf"]),
+        (["figure-eight", "-o", "x.lcmlog", "--slip", "1"], ["slip is 1", "0.9"]),
+        (["figure-eight", "-o", "x.lcmlog", "--latency", "nan"], ["latency_s is nan"]),
+        (["figure-eight", "-o", "x.lcmlog", "--gyro-bias", "inf"], ["bias_rad_s is inf"]),
     ],
 )
 def test_what_cannot_be_simulated_is_named(tmp_path: Path, arguments, words):

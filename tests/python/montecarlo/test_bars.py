@@ -71,18 +71,24 @@ def test_rows_are_judged_and_saved(tmp_path: Path):
     assert [line[0] for line in verdict.table()] == ["row", "outliers-5-bearing", ""]
     content = json.loads((tmp_path / "bars.json").read_text())
     assert content["runs"] == 2
-    assert content["findings"][0]["measure"] == "position RMSE / reference"
+    assert content["judgements"][0]["measure"] == "position RMSE / reference"
     assert (tmp_path / "outliers-5-bearing" / "montecarlo.json").is_file()
+    assert verdict.met == all(line[-1] == "met" for line in verdict.table()[1:])
 
 
-def test_a_key_that_the_configuration_does_not_have_is_a_row_not_run(
-    monkeypatch: pytest.MonkeyPatch,
-):
-    row = bar_rows()["outliers-5-id"]
-    monkeypatch.setitem(row.change, "config", {"no.such_key": 1})
-    verdict = judge("outliers-5-id", runs=1, seed=1, jobs=1)
-    assert {line[-1] for line in verdict.table()[1:]} == {"not run"}
-    assert "no.such_key" in verdict.reasons()[0]
+def test_a_key_that_the_configuration_does_not_have_is_an_error(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setitem(bar_rows()["outliers-5-id"].change, "config", {"no.such_key": 1})
+    with pytest.raises(ValueError, match=r"outliers-5-id: config: .*no\.such_key"):
+        judge("outliers-5-id", runs=1, seed=1, jobs=1)
+
+
+def test_an_error_of_a_run_is_not_taken_for_one_of_its_row(monkeypatch: pytest.MonkeyPatch):
+    def fail(*_: object) -> None:
+        raise KeyError("of a programmer")
+
+    monkeypatch.setattr("pilotage.montecarlo.judging.run_montecarlo", fail)
+    with pytest.raises(KeyError, match="of a programmer"):
+        judge("nominal", runs=1, seed=1, jobs=1)
 
 
 def test_the_gate_rejects_as_many_as_it_says():

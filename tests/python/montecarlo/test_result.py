@@ -8,7 +8,7 @@ import pytest
 from pilotage.lcmtypes import status_t
 from pilotage.montecarlo import MonteCarlo
 from pilotage.montecarlo.measures import OF_RUNS
-from pilotage.montecarlo.summary import lost_text
+from pilotage.montecarlo.summary import rows, runs_to_look_at, to_dict
 from pilotage.montecarlo.trial import NO_POSE, PARTS, Trial
 
 G = 100  # times, 0.1 s apart
@@ -27,7 +27,7 @@ def _result(**changes: Any) -> MonteCarlo:
         "in_view": np.full((1, G), 2),
         "pairs": every[None],
         "triples": every[None],
-        "kidnapped": np.array([G]),
+        "kidnap_index": np.array([G]),
         "nis": np.ones((1, 1, PARTS, 10)),
         "dof": np.ones((1, 1, PARTS, 10)),
     }
@@ -61,9 +61,53 @@ def test_lost_is_far_off_in_the_last_five_seconds(first: int, lost: float):
 
 def test_lost_runs_are_named_with_what_shows_one():
     result = _result(distance=np.full((1, G), np.nan))
-    words = lost_text(result, "site.yaml")
+    (words,) = runs_to_look_at(result, "site.yaml")
     assert words.startswith("lost: 0; ")
-    assert "pilotage simulate site.yaml --seed 1 --run 0 -o" in words
+    assert "pilotage simulate site.yaml --seed 1 --run 0 -o run-0.lcmlog" in words
+    assert "or without a pose in the last 5 s" in str([row.unit for row in rows(result)])
+
+
+def test_runs_that_were_ok_while_wrong_are_named_as_well():
+    (words,) = runs_to_look_at(_result(wrong=_when(30, 32, True, False)), "yard")
+    assert words.startswith("OK while wrong: 0; ")
+    assert list(runs_to_look_at(_result(), "yard")) == []
+
+
+def test_the_rmse_is_over_time_of_that_over_the_runs_with_a_pose():
+    distance = np.full((2, G), 0.3)
+    distance[1, 50:] = np.nan
+    distance[0, 50:] = 0.1
+    result = _result(distance=distance)
+    assert OF_RUNS["rmse_m"].of(result) == pytest.approx(np.sqrt((0.3**2 + 0.1**2) / 2))
+
+
+def test_nees_is_held_against_the_band_of_the_runs_that_are_known_then():
+    nees = np.full((40, G), 3.0 * 1.3)  # within the band of ten runs, not of forty
+    nees[10:, 50:] = np.nan
+    result = _result(nees=nees)
+    assert result.nees.inside == pytest.approx(0.5)
+    assert result.nees.low[0] > result.nees.low[-1]
+    assert to_dict(result)["anees_in_band"] == pytest.approx(0.5)
+    assert ("  in its band", "50.0") in [row[:2] for row in rows(result)]
+
+
+def test_all_of_it_is_in_the_file():
+    content = to_dict(
+        _result(
+            kidnap_index=np.array([30]),
+            status=_when(32, 60, LOST, OK).astype(np.int8),
+            wrong=_when(30, 35, True, False),
+        )
+    )
+    assert content["first_ok_s"] == [0.0]
+    assert content["recovery_s"] == [pytest.approx(3.0)]
+    assert content["wrong_ok_runs"] == [0]
+    assert content["wrong_ok_time"] == pytest.approx(0.02)
+    eye = content["nis"]["eye"]
+    assert eye["mean"] == 1.0
+    assert eye["over_time"]["time_s"][:2] == [0.5, 1.5]
+    assert eye["over_time"]["nis"] == [1.0] * 10
+    assert eye["over_time"]["low"][0] < 1.0 < eye["over_time"]["high"][0]
 
 
 @pytest.mark.parametrize(
@@ -76,7 +120,7 @@ def test_recovery_counts_the_time_with_two_markers_in_view(ok_again, pairs_seen,
     changes = {
         "status": status,
         "wrong": wrong,
-        "kidnapped": np.array([30]),
+        "kidnap_index": np.array([30]),
         "in_view": np.full((1, G), pairs_seen),
     }
     assert _measured("recovered", **changes) == recovered
@@ -87,7 +131,7 @@ def test_from_the_third_pair_on_it_may_not_be_ok(not_ok_from: int, honest: float
     changes = {
         "status": _when(not_ok_from, 60, LOST, OK).astype(np.int8),
         "wrong": _when(30, 60, True, False),
-        "kidnapped": np.array([30]),
+        "kidnap_index": np.array([30]),
     }
     assert _measured("honest", **changes) == honest
 

@@ -12,6 +12,7 @@ import pilotage
 from pilotage.evaluate import pose_errors
 from pilotage.montecarlo import find_scenario, run_montecarlo, simulate_run
 from pilotage.montecarlo.summary import rows, to_dict
+from pilotage.montecarlo.trial import chance, run_trial
 from pilotage.simulate import Kidnap, Scenario, Start
 
 SHORT = replace(find_scenario("nominal"), duration_s=12.0)
@@ -42,7 +43,7 @@ def test_more_runs_begin_with_the_same_ones():
 def test_nominal_runs_are_consistent_and_near_the_bound():
     result = run_montecarlo(find_scenario("nominal"), 40, jobs=2)
     assert result.bound is not None
-    assert np.nanmean(result.anees) == pytest.approx(1.0, abs=0.15)
+    assert result.nees.mean == pytest.approx(1.0, abs=0.15)
     assert result.nis["scanner"].mean == pytest.approx(1.0, abs=0.05)
     late = result.time_s > 10.0
     ratio = result.position_m[late] / result.bound.position_m[late]
@@ -57,6 +58,33 @@ def test_a_run_can_be_looked_at_by_itself():
     run = pilotage.replay(simulation.config, simulation.recording)
     errors = pose_errors(run.poses, simulation.truth)
     np.testing.assert_allclose(errors.distance[::10], result.trials.distance[2], atol=1e-12)
+
+
+def test_the_bound_is_of_any_order_of_components_and_before_the_runs(monkeypatch):
+    (scanner,) = SHORT.cameras
+    turned = replace(scanner, components=("range", "bearing"), sigma=(0.02, 0.0, 0.05))
+    assert turned.components == ("bearing", "range")
+    monkeypatch.setattr("pilotage.montecarlo.running.Bound.of", _no_bound)
+    with pytest.raises(ValueError, match="no bound, and nothing run"):
+        run_montecarlo(_short(cameras=(turned,)), 10**9)
+
+
+def _no_bound(*_: object) -> None:
+    raise ValueError("no bound, and nothing run")
+
+
+def test_frames_count_when_they_arrive_but_those_before_a_kidnap_as_captured():
+    late = replace(
+        SHORT, start=Start(), latency_s=0.5, kidnap=Kidnap(at_s=(6.0, 6.0), turn_rad=(1.0, 1.0))
+    )
+    trial = run_trial(late, chance(1, 0))
+    prompt = run_trial(replace(late, latency_s=0.0), chance(1, 0))
+    k = trial.kidnap_index
+    np.testing.assert_array_equal(trial.pairs[: k + 1], prompt.pairs[: k + 1])
+    assert (trial.pairs[k : k + 5] == trial.pairs[k]).all()  # none tells of the kidnap yet
+    np.testing.assert_array_equal(trial.pairs[k + 6 :], prompt.pairs[k + 1 : -5])
+    unmoved = run_trial(replace(late, kidnap=None), chance(1, 0))
+    np.testing.assert_array_equal(unmoved.triples[5:20], prompt.triples[:15])
 
 
 def test_each_component_has_its_nis_and_so_has_the_whole():

@@ -5,7 +5,6 @@ import pytest
 
 from pilotage.montecarlo import MonteCarlo, find_scenario, run_montecarlo
 from pilotage.plot.montecarlo import montecarlo_figure
-from pilotage.simulate import Start
 from support.artists import artist, has, texts
 
 SHORT = replace(find_scenario("nominal"), duration_s=8.0)
@@ -28,11 +27,16 @@ def test_errors_stand_beside_the_bound(result: MonteCarlo):
 
 
 def test_nees_and_nis_have_their_bands(result: MonteCarlo):
-    _, _, nees, nis = montecarlo_figure(result).axes
+    figure = montecarlo_figure(result)
+    _, _, nees, nis = figure.axes
     band = artist(nees, "band").get_paths()[0].vertices[:, 1]
-    assert (band.min(), band.max()) == pytest.approx(result.anees_band)
+    assert (band.min(), band.max()) == pytest.approx((result.nees.low[0], result.nees.high[0]))
     assert len(artist(nis, "ratio").get_ydata()) == 8
     assert has(nis, "band")
+    assert artist(nis, "ratio").get_xdata()[0] == 0.5  # the middle of the first second
+    inside = f"{100 * result.nees.inside:.1f} % of the time in the band"
+    assert any(inside in text for text in texts(figure))
+    assert any(text == "scanner" for text in texts(figure))
 
 
 def test_without_a_bound_there_is_none(result: MonteCarlo):
@@ -48,7 +52,8 @@ def test_lost_runs_are_named(result: MonteCarlo):
     assert "2 lost: 1, 3" in texts(montecarlo_figure(lost))
 
 
-def test_without_any_pose_it_says_so():
-    nothing = run_montecarlo(replace(SHORT, start=Start(known=False)), 2)
-    if not np.isfinite(nothing.position_m).any():
-        assert "no pose" in texts(montecarlo_figure(nothing))
+def test_without_any_pose_it_says_so(result: MonteCarlo):
+    unknown = np.full_like(result.trials.distance, np.nan)
+    trials = replace(result.trials, distance=unknown, heading=unknown, nees=unknown)
+    figure = montecarlo_figure(replace(result, trials=trials, bound=None))
+    assert texts(figure).count("no pose") == 3

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from pilotage import MarkerMap
+from pilotage.lcmtypes import marker_frame_t
 from pilotage.simulate import (
     SCENARIOS,
     Kidnap,
@@ -14,6 +16,7 @@ from pilotage.simulate import (
     Tilt,
     measure,
     suitable_config,
+    worlds,
 )
 from pilotage.simulate.drives import circle
 from pilotage.simulate.tilt import tilted
@@ -76,7 +79,62 @@ def test_outliers_are_as_many_as_asked_and_of_their_kind(kind: str):
 
 
 def test_sightings_may_have_no_ids():
-    assert set(_seen(ids=False).id) == {-1}
+    measured = measure(replace(YARD, ids=False), np.random.default_rng(3))
+    assert set(measured.sightings["scanner"].id) > {0}  # what it is of is known to who simulates
+    frames = [marker_frame_t.decode(data) for data in measured.record().messages("MARKERS")]
+    assert {s.id for frame in frames for s in frame.sightings} == {-1}
+
+
+def test_markers_stand_where_the_survey_is_wrong_by_its_sigma():
+    plain = worlds.yard()
+    sigmas = np.array([0.0, 0.3] * 5)
+    surveyed = MarkerMap(plain.ids, plain.positions, sigmas)
+    scenario = replace(YARD, site=worlds.Surveyed.of(surveyed), duration_s=5.0).with_noise(0.0)
+    off = []
+    for seed in range(200):
+        measured = measure(scenario, np.random.default_rng(seed))
+        np.testing.assert_array_equal(measured.markers.positions, plain.positions)
+        off.append(measured.true_markers.positions - plain.positions)
+    spread = np.std(off, axis=0)
+    np.testing.assert_allclose(spread, np.outer(sigmas, (1.0, 1.0, 0.0)), rtol=0.2)
+    (scanner,), seen = scenario.cameras, measured.sightings["scanner"]
+    marker = seen.id[sigmas[seen.id] > 0.0][0]
+    rows = seen.rows(seen.id == marker)
+    exact = scanner.look(measured.drive, measured.true_markers.positions[marker], rows.utime)
+    np.testing.assert_allclose(rows.value[:, [0, 2]], exact[:, [0, 2]], atol=1e-9)
+    told = suitable_config(scenario, measured.markers, measured.drive).map
+    np.testing.assert_array_equal(told.positions, plain.positions)
+    np.testing.assert_array_equal(told.sigmas, sigmas)
+
+
+def test_an_exact_survey_takes_no_chance():
+    rng = np.random.default_rng(3)
+    assert worlds.as_they_stand(worlds.yard(), rng).positions.tolist() == (
+        worlds.yard().positions.tolist()
+    )
+    assert rng.random() == np.random.default_rng(3).random()
+
+
+@pytest.mark.parametrize("ids", [True, False])
+def test_sightings_say_the_labels_of_their_markers(ids: bool):
+    plain = worlds.yard()
+    labels = np.arange(10) % 3 - 1
+    site = worlds.Surveyed.of(MarkerMap(plain.ids, plain.positions, 0.0, labels))
+    measured = measure(replace(YARD, site=site, ids=ids), np.random.default_rng(3))
+    seen = measured.sightings["scanner"]
+    assert measured.markers.labels.tolist() == labels.tolist()
+    recording = measured.record()
+    frames = [marker_frame_t.decode(data) for data in recording.messages("MARKERS")]
+    sightings = [s for frame in frames for s in frame.sightings]
+    assert [s.label for s in sightings] == labels[seen.id].tolist()
+    assert [s.id for s in sightings] == (seen.id.tolist() if ids else [-1] * len(seen))
+    # All else is as `add_sightings` has it.
+    unlabelled = measure(replace(YARD, ids=ids), np.random.default_rng(3)).record()
+    for sighting in sightings:
+        sighting.label = -1
+    expected = unlabelled.messages("MARKERS")
+    assert [frame.encode() for frame in frames] == expected
+    np.testing.assert_array_equal(recording.arrivals("MARKERS"), unlabelled.arrivals("MARKERS"))
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,7 @@
 """What goes wrong with markers is as stated, in the frames in which it is stated."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -84,7 +86,7 @@ def test_a_phantom_stands_in_a_frame_as_if_it_were_seen(measured: Measured):
 def test_a_site_without_markers_in_view_is_named(measured: Measured):
     cell = Cell("markers", "moved", {"distance_m": 1.0})
     nothing = {"scanner": measured.sightings["scanner"].rows(np.zeros(0, dtype=np.intp))}
-    blind = Measured(measured.drive, measured.markers, measured.encoders, measured.gyro, nothing)
+    blind = replace(measured, sightings=nothing)
     with pytest.raises(ValueError, match="choose another scenario"):
         cell.strike(blind, YARD.cameras, WINDOW, np.random.default_rng(5))
 

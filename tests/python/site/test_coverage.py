@@ -8,6 +8,7 @@ import pytest
 from pilotage import Config, Ekf3, MarkerModel
 from pilotage.evaluate import ellipse_scale
 from pilotage.site import Survey
+from pilotage.site.ground import CELLS, Ground
 from support.sites import BEARINGS, BOTH, LINE, RANGES, SQUARE, site
 
 K95 = ellipse_scale(0.95)
@@ -87,6 +88,29 @@ def test_the_radius_is_the_spread_of_least_squares_estimates():
 def test_one_frame_of_ranges_to_one_marker_fixes_no_position():
     survey = Survey.of(site([(0, 0)], RANGES), area=AREA)
     assert np.all(np.isinf(survey.coverage.radius_m))
+
+
+def test_a_heading_that_is_known_exactly_is_the_limit_of_one_known_well():
+    exact, well = (
+        Survey.of(site(SQUARE, BEARINGS, initial__sigma_heading_rad=s)).coverage.average_m
+        for s in (0.0, 1e-6)
+    )
+    np.testing.assert_allclose(exact, well, rtol=1e-6)
+
+
+def test_a_part_of_the_area_has_its_radius():
+    coverage = Survey.of(site(SQUARE), reach_m=3.0, area=AREA).coverage
+    for part in (0.2, 0.5):
+        radius = coverage.radius_of_part(part)
+        assert np.mean(coverage.average_m <= radius) == pytest.approx(part, abs=0.01)
+    assert coverage.radius_of_part(1.0) == math.inf
+
+
+@pytest.mark.parametrize("area", [(0, 0, 1e6, 1e-3), (0, 0, 1e-3, 1e6), (0, 0, 900, 1)])
+def test_a_long_and_thin_area_has_no_more_cells_than_another(area):
+    ny, nx, _ = Ground.of(area, markers=4, sensors=1, all_round=True).shape
+    assert min(ny, nx) >= 2
+    assert ny * nx <= 1.2 * CELLS[1]
 
 
 def test_bearings_see_no_distance_along_their_line():

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from pilotage import MarkerModel
-from pilotage.site import Sight, measured
+from pilotage import Config, MarkerModel
+from pilotage.site import Sight, guessed
 from support.sites import BEARINGS, BOTH, RANGES, site
 
 MOUNTED = {"x_m": 0.3, "y_m": -0.1, "z_m": 0.4, "yaw_rad": 2.0}
@@ -26,9 +26,21 @@ def _sight(sensor: dict[str, float], reach_m: float = math.inf, view_rad: float 
         ({"z_m": 1.0}, ()),
     ],
 )
-def test_what_is_measured_follows_from_the_noise_that_is_stated(sensor, components):
-    assert measured(site([(0, 0)], sensor), "eye") == components
+def test_what_is_measured_is_guessed_by_the_noise_that_is_stated(sensor, components):
+    assert guessed(site([(0, 0)], sensor), "eye") == components
     assert _sight(sensor).components == (components or ("bearing", "range"))
+    assert _sight(sensor).known_by == ("guessed by its noise" if components else "assumed")
+
+
+def test_what_is_told_is_measured_though_its_noise_is_the_default():
+    default = {"sigma_bearing_rad": Config()["sensors.eye.sigma_bearing_rad"], **RANGES}
+    config = site([(0, 0)], default)
+    assert Sight.of(config, "eye").components == ("range",)  # what nobody can know better
+    sight = Sight.of(config, "eye", components=["range", "bearing"])
+    assert sight.components == ("bearing", "range")
+    assert sight.known_by == "told"
+    with pytest.raises(ValueError, match="components are colour, expected some of bearing, elev"):
+        Sight.of(config, "eye", components=["colour"])
 
 
 @pytest.mark.parametrize(

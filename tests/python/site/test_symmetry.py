@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
+from pilotage import MarkerMap
 from pilotage.simulate import worlds
-from pilotage.site import Layout, Motion, elsewhere, symmetries
-from support.sites import GRID, LINE, RECTANGLE, SQUARE, markers
+from pilotage.site import Layout, Motion, Sight, elsewhere, symmetries
+from support.sites import GRID, LINE, RECTANGLE, SQUARE, markers, site
 
 NEAR = 0.1
 YARD = worlds.yard().positions[:, :2]
@@ -92,25 +93,18 @@ def test_a_turn_of_any_map_about_any_point_is_found():
 
 
 def test_labels_and_heights_tell_markers_apart():
-    plain = markers(SQUARE)
-    coloured = _Labelled(plain, [7, 3, 7, 3])
+    plain, eye = markers(SQUARE), Sight.of(site(SQUARE), "eye", components=["elevation"])
+
+    def labelled(labels: list[int]) -> MarkerMap:
+        return MarkerMap(plain.ids, plain.positions, plain.sigmas, labels)
+
+    coloured = labelled([7, 3, 7, 3])
     assert _turns(Layout.of(coloured)) == [180]
     assert Layout.of(coloured).names == ["0 (7)", "1 (3)", "2 (7)", "3 (3)"]
-    assert _turns(Layout.of(_Labelled(plain, [1, 2, 3, 90000]))) == []
-    stepped = type(plain)(plain.ids, plain.positions + [[0, 0, 0], [0, 0, 1]] * 2)
-    assert _turns(Layout.of(stepped, heights=True)) == [180]
+    assert _turns(Layout.of(labelled([1, 2, 3, 90000]))) == []
+    stepped = MarkerMap(plain.ids, plain.positions + [[0, 0, 0], [0, 0, 1]] * 2)
+    assert _turns(Layout.of(stepped, [eye])) == [180]
     assert _turns(Layout.of(stepped)) == [90, -90, 180]
-
-
-class _Labelled:
-    """A map with labels, as `MarkerMap` has or will have them."""
-
-    def __init__(self, plain, labels: list[int]) -> None:
-        self.ids, self.positions, self.sigmas = plain.ids, plain.positions, plain.sigmas
-        self.labels = np.array(labels)
-
-    def __len__(self) -> int:
-        return len(self.ids)
 
 
 def test_a_view_is_found_elsewhere():

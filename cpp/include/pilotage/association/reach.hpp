@@ -36,8 +36,8 @@ struct SensorPlace {
 template <typename Scalar>
 class Reach {
    public:
-    Reach(const SensorPlace<Scalar>& place, const Sighting& sighting,
-          const SensorParams& sensor, const Policy& policy) noexcept
+    Reach(const SensorPlace<Scalar>& place, const Sighting& sighting, const SensorParams& sensor,
+          const Policy& policy) noexcept
         : place_(&place), sighting_(&sighting), sensor_(&sensor) {
         const int components = measured_components(sighting);
         bearing_ = (components & 1 << kBearing) != 0;
