@@ -37,8 +37,11 @@ Assessment assess(const Track<Scalar, N>& track, const Params& params, double si
         return {track.confirmed ? Status::lost : Status::initializing, Reason::disagreement,
                 agreement.mean(), Agreement::kTooMuch};
     if (!track.confirmed)
-        return {Status::initializing, Reason::unconfirmed, double(agreement.in_a_row()),
-                double(Agreement::kConfirming)};
+        return {Status::initializing,
+                agreement.confirms() && track.agreeing.count() < judging::kConfirmingMarkers
+                    ? Reason::one_marker
+                    : Reason::unconfirmed,
+                double(agreement.in_a_row()), double(Agreement::kConfirming)};
     const double radius_m = std::sqrt(kChiSquare95 * largest_position_variance(track.covariance()));
     const double unfixed_s = seconds_between<double>(track.agreed_utime, track.utime);
     if (silent_s > p.lost_after_s)

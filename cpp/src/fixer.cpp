@@ -94,9 +94,28 @@ void Fixer<Scalar, N>::follow(Track& track, const Pose<double>& odometry,
     track.keep_odometry(odometry);
     track.agreement.add(report.nis, report.dof, policies_[report.sensor].gate_nis[report.dof - 1]);
     if (track.agreement.last_agreed()) track.agreed_utime = report.utime;
-    const bool confirmable =
-        !track.confirmed && track.agreement.in_a_row() == Agreement::kConfirming;
-    if (confirmable) track.search_due_utime = track.utime;  // at once, but once
+    if (!track.confirmed) agree(track, report);
+}
+
+/// Counts the markers that agree with an estimate that has to prove itself.
+template <typename Scalar, int N>
+void Fixer<Scalar, N>::agree(Track& track, const SightingReport& report) const noexcept {
+    const bool enough = confirms(track);
+    const Marker* marker = map_.find(report.id);
+    if (!track.agreement.last_agreed())
+        track.agreeing = {};
+    else if (marker == nullptr)
+        track.agreeing = MarkerSet::all();
+    else
+        track.agreeing.add(MarkerSet::of(marker - map_.markers().data()));
+    if (!enough && confirms(track)) track.search_due_utime = track.utime;  // at once, but once
+}
+
+template <typename Scalar, int N>
+bool Fixer<Scalar, N>::confirms(const Track& track) const noexcept {
+    const int markers = static_cast<int>(map_.markers().size());
+    return track.agreement.confirms() &&
+           track.agreeing.count() >= std::min(judging::kConfirmingMarkers, markers);
 }
 
 template <typename Scalar, int N>
@@ -230,8 +249,7 @@ void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int co
         place(track, winner->pose, covariance);
         track.confirmed = true;
         track.agreed_utime = track.utime;
-    } else if (track.located && track.judgement.finding == Finding::fine &&
-               track.agreement.confirms()) {
+    } else if (track.located && track.judgement.finding == Finding::fine && confirms(track)) {
         track.confirmed = true;
     }
 }
@@ -260,6 +278,7 @@ void Fixer<Scalar, N>::place(Track& track, const Pose<double>& pose,
     track.located = true;
     track.confirmed = track.restored = false;
     track.agreement = {};
+    track.agreeing = {};
     track.judgement = {};
     track.evidence_since = track.utime + 1;
 }

@@ -123,7 +123,7 @@ Hypothesis PoseSearch::judge(const PoseFit& fit) const noexcept {
     CommonDrift drift;
     double sum = 0;
     int sightings = 0;
-    std::uint64_t markers = 0;
+    MarkerSet markers;
     const double moment = -std::log(count_);  // any sighting may be the first that it explains
     result.log_evidence = occam;
     result.gain = -std::numeric_limits<double>::infinity();
@@ -134,7 +134,7 @@ Hypothesis PoseSearch::judge(const PoseFit& fit) const noexcept {
         sum += e.log_likelihood - views_[i].log_likelihood;
         if (e.belief > 0.5) {
             ++sightings;
-            markers |= std::uint64_t{1} << (e.marker - map_.markers().data()) % 64;
+            markers.add(MarkerSet::of(e.marker - map_.markers().data()));
         } else if (i < Hypothesis::kLatest) {
             ++result.clutter;
         }

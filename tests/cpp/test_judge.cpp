@@ -18,6 +18,12 @@ using judging::kMarkers;
 using judging::kMoreFrames;
 using judging::kSuspicious;
 
+MarkerSet first_markers(int count) {
+    MarkerSet markers;
+    for (int i = 0; i < count; ++i) markers.add(MarkerSet::of(i));
+    return markers;
+}
+
 /// A robot that moves on between frames, and what its search tells the judge of each. Places are
 /// those where it began.
 class Hearing {
@@ -34,7 +40,7 @@ class Hearing {
         h.covariance = Pose<double>(4e-4, 4e-4, 1e-4).asDiagonal();
         h.log_evidence = claim.log_evidence + nats;
         h.gain = nats;
-        h.markers = 0b10110;
+        h.markers = first_markers(3);
         return h;
     }
 
@@ -240,17 +246,17 @@ TEST(JudgeTest, ALeaderHasToExplainTheNewestSightings) {
 TEST(JudgeTest, AConfirmedEstimateFallsToTwoMarkersOnlyAfterMoreFrames) {
     for (const bool confirmed : {false, true})
         for (const int wanted : {2, kMarkers})
-            for (const std::uint64_t markers : {0b1U, 0b101U}) {
+            for (const int markers : {1, 2}) {
                 Hearing hearing;
                 hearing.claims(confirmed);
                 hearing.claim.markers = wanted;
                 const int frames = !confirmed           ? kFrames
-                                   : markers == 0b1U    ? 100
+                                   : markers == 1       ? 100
                                    : wanted == kMarkers ? kMoreFrames
                                                         : kFrames;
                 for (int frame = 1; frame <= 2 * kMoreFrames; ++frame) {
                     Hypothesis few = hearing.idea(kThere, 30);
-                    few.markers = markers;
+                    few.markers = first_markers(markers);
                     EXPECT_EQ(hearing.ask({few}), frame >= frames ? 0 : -1) << "frame " << frame;
                     EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere) << "it is not OK";
                     hearing.move();

@@ -51,6 +51,8 @@ class Fixer {
     [[nodiscard]] SightingReport fuse(Track& track, const Sample& sample) const noexcept;
     void follow(Track& track, const Pose<double>& odometry,
                 const SightingReport& report) const noexcept;
+    void agree(Track& track, const SightingReport& report) const noexcept;
+    [[nodiscard]] bool confirms(const Track& track) const noexcept;
     template <typename Variance>
     void learn(Track& track, const SightingReport& report,
                const Variance& variance_of) const noexcept;

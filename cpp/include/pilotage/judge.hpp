@@ -29,6 +29,9 @@ inline constexpr double kOff_m = 0.05, kOff_rad = 0.05;
 /// So many markers speak for a pose other than one that was confirmed, if the map has them: two may
 /// be swapped, or one be moved. With fewer it takes more frames, with fewer still it is none.
 inline constexpr int kMarkers = 3, kFewestMarkers = 2;
+/// So many have to agree with a pose that was given: what follows one thing that moves, as another
+/// robot, agrees with it for as long as that is in view.
+inline constexpr int kConfirmingMarkers = 2;
 
 /// Of the newest sightings it may leave so many unexplained: else it is of where the robot was.
 inline constexpr int kClutterOfLatest = 2;

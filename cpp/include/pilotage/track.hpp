@@ -33,6 +33,7 @@ struct Track {
     TickCounter ticks;
     MotionCheck check;
     Agreement agreement;
+    MarkerSet agreeing;  ///< of which those in a row are, until it is confirmed
     Judgement judgement;
     Drift drift;
     std::int64_t utime = 0;

@@ -2,8 +2,7 @@
 /// \file
 /// Poses that explain what was seen, and how well they do.
 
-#include <cstdint>
-
+#include "pilotage/marker_set.hpp"
 #include "pilotage/state.hpp"
 
 namespace pilotage {
@@ -22,17 +21,11 @@ struct Hypothesis {
     /// clutter, where none is given), for the number of sightings that makes the most of it: how
     /// much better this explains what was seen of late.
     double gain = 0;
-    int explained = 0;          ///< that number
-    int sightings = 0;          ///< of these, not clutter
-    std::uint64_t markers = 0;  ///< that these are of; bit: place in the map, modulo 64
+    int explained = 0;  ///< that number
+    int sightings = 0;  ///< of these, not clutter
+    MarkerSet markers;  ///< that these are of
     static constexpr int kLatest = 6;
     int clutter = 0;  ///< of the newest kLatest sightings, that it does not explain
-
-    [[nodiscard]] int distinct_markers() const noexcept {
-        int n = 0;
-        for (std::uint64_t bits = markers; bits != 0; bits &= bits - 1) ++n;
-        return n;
-    }
 };
 
 /// What a search found, best gain first.
