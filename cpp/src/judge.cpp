@@ -51,8 +51,10 @@ Ranking rank(const Claim& claim, const Hypotheses& found) {
     return r;
 }
 
-Finding finding_of(const Claim& claim, const Ranking& r) {
-    const double doubtful = claim.confirmed ? kSuspicious : claim.made ? -kDecisive : 0;
+/// An estimate that was doubted has to stand out again, as one that was never confirmed.
+Finding finding_of(const Claim& claim, const Ranking& r, Finding before) {
+    const bool trusted = claim.confirmed && before == Finding::fine;
+    const double doubtful = trusted ? kSuspicious : claim.made ? -kDecisive : 0;
     if (r.best == nullptr || r.first - r.itself < doubtful) return Finding::fine;
     if (r.margin() >= kDecisive) return Finding::elsewhere;
     return !claim.made && r.first < kDecisive ? Finding::fine : Finding::ambiguous;
@@ -100,7 +102,7 @@ const Hypothesis* judge(Judgement& judgement, const Claim& claim, const Hypothes
     const int held = judgement.held;
     judgement.held = 0;
     judgement.margin = ranking.margin();
-    judgement.finding = finding_of(claim, ranking);
+    judgement.finding = finding_of(claim, ranking, judgement.finding);
     if (judgement.finding != Finding::elsewhere || !convinces(claim, ranking)) return nullptr;
     const bool few = claim.confirmed && ranking.best->markers.count() < claim.markers;
     const bool sound = found.whole && !few;
