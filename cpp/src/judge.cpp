@@ -26,7 +26,8 @@ bool is_the_estimate(const Hypothesis& h, const Claim& claim) {
 struct Ranking {
     const Hypothesis* best = nullptr;  // of those that are another pose
     double first = -INFINITY, second = -INFINITY;
-    double itself = 0;  // the estimate: an unsure one foretells little of what fits it well
+    double itself = 0;    // the estimate: an unsure one foretells little of what fits it well
+    bool stands = false;  // the sightings alone lead to it
 
     [[nodiscard]] double margin() const { return first - std::fmax(second, itself); }
 };
@@ -40,6 +41,7 @@ Ranking rank(const Claim& claim, const Hypotheses& found) {
             claim.made && !claim.confirmed ? h.log_evidence - claim.log_evidence : h.gain;
         if (is_the_estimate(h, claim)) {
             r.itself = std::fmax(r.itself, strength);
+            r.stands = r.stands || !vague(h.covariance);
         } else if (strength > r.first) {
             r.second = r.first;
             r.first = strength;
@@ -51,9 +53,11 @@ Ranking rank(const Claim& claim, const Hypotheses& found) {
     return r;
 }
 
-/// An estimate that was doubted has to stand out again, as one that was never confirmed.
+/// An estimate that was doubted is fine again once it stands out among what is found.
 Finding finding_of(const Claim& claim, const Ranking& r, Finding before) {
-    const bool trusted = claim.confirmed && before == Finding::fine;
+    const bool doubted = claim.made && before != Finding::fine;
+    if (doubted && r.best == nullptr && !r.stands) return Finding::ambiguous;
+    const bool trusted = claim.confirmed && !doubted;
     const double doubtful = trusted ? kSuspicious : claim.made ? -kDecisive : 0;
     if (r.best == nullptr || r.first - r.itself < doubtful) return Finding::fine;
     if (r.margin() >= kDecisive) return Finding::elsewhere;
@@ -64,8 +68,7 @@ Finding finding_of(const Claim& claim, const Ranking& r, Finding before) {
 bool convinces(const Claim& claim, const Ranking& r) {
     return !vague(r.best->covariance) && r.best->clutter <= kClutterOfLatest &&
            !(claim.made && r.margin() < kMoved) &&
-           !(claim.confirmed &&
-             r.best->markers.count() < std::min(kFewestMarkers, claim.markers));
+           !(claim.confirmed && r.best->markers.count() < std::min(kFewestMarkers, claim.markers));
 }
 
 /// Whether the pose has led for long enough, on a way that tells it from others.
