@@ -68,7 +68,7 @@ Finding finding_of(const Claim& claim, const Ranking& r, Finding before) {
 bool convinces(const Claim& claim, const Ranking& r) {
     return !vague(r.best->covariance) && r.best->clutter <= kClutterOfLatest &&
            !(claim.made && r.margin() < kMoved) &&
-           !(claim.confirmed && r.best->markers.count() < std::min(kFewestMarkers, claim.markers));
+           !(claim.confirmed && r.best->markers.count() < claim.markers);
 }
 
 /// Whether the pose has led for long enough, on a way that tells it from others.
@@ -107,9 +107,7 @@ const Hypothesis* judge(Judgement& judgement, const Claim& claim, const Hypothes
     judgement.margin = ranking.margin();
     judgement.finding = finding_of(claim, ranking, judgement.finding);
     if (judgement.finding != Finding::elsewhere || !convinces(claim, ranking)) return nullptr;
-    const bool few = claim.confirmed && ranking.best->markers.count() < claim.markers;
-    const bool sound = found.whole && !few;
-    return lasts(judgement, *ranking.best, odometry, held, sound) ? ranking.best : nullptr;
+    return lasts(judgement, *ranking.best, odometry, held, found.whole) ? ranking.best : nullptr;
 }
 
 }  // namespace pilotage

@@ -243,25 +243,46 @@ TEST(JudgeTest, ALeaderHasToExplainTheNewestSightings) {
 }
 
 /// Two may be swapped, or one be moved.
-TEST(JudgeTest, AConfirmedEstimateFallsToTwoMarkersOnlyAfterMoreFrames) {
+TEST(JudgeTest, AConfirmedEstimateFallsToThreeMarkersOnlyIfTheMapHasThem) {
     for (const bool confirmed : {false, true})
         for (const int wanted : {2, kMarkers})
-            for (const int markers : {1, 2}) {
+            for (const int markers : {1, 2, 3}) {
                 Hearing hearing;
                 hearing.claims(confirmed);
                 hearing.claim.markers = wanted;
-                const int frames = !confirmed           ? kFrames
-                                   : markers == 1       ? 100
-                                   : wanted == kMarkers ? kMoreFrames
-                                                        : kFrames;
+                const bool enough = !confirmed || markers >= wanted;
                 for (int frame = 1; frame <= 2 * kMoreFrames; ++frame) {
                     Hypothesis few = hearing.idea(kThere, 30);
                     few.markers = first_markers(markers);
-                    EXPECT_EQ(hearing.ask({few}), frame >= frames ? 0 : -1) << "frame " << frame;
+                    EXPECT_EQ(hearing.ask({few}), enough && frame >= kFrames ? 0 : -1)
+                        << "frame " << frame;
                     EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere) << "it is not OK";
                     hearing.move();
                 }
             }
+}
+
+/// A rival that has led leaves doubt, though the estimate explains the sightings as well.
+TEST(JudgeTest, AnEstimateThatWasDoubtedHasToStandOutAgain) {
+    for (const bool confirmed : {false, true}) {
+        Hearing hearing;
+        hearing.claims(confirmed);
+        const Hypothesis rival = hearing.idea(kThere, 2 * kDecisive);
+        const auto finding_with = [&](const std::vector<Hypothesis>& found) {
+            hearing.ask(found);
+            return hearing.judgement.finding;
+        };
+        const Hypothesis weaker = hearing.idea(kThere, -kDecisive - 1);
+        const Hypothesis alike = hearing.idea(kThere, -kDecisive + 1);
+        const Hypothesis itself = hearing.idea({0, 0, 0}, 0);
+        EXPECT_EQ(finding_with({}), Finding::fine) << "nothing speaks against it";
+        EXPECT_EQ(finding_with({rival}), Finding::elsewhere);
+        EXPECT_EQ(finding_with({}), Finding::ambiguous) << "nothing speaks for it";
+        EXPECT_EQ(finding_with({itself, alike}), Finding::ambiguous);
+        EXPECT_EQ(finding_with({itself, weaker}), Finding::fine);
+        EXPECT_EQ(finding_with({alike}), confirmed ? Finding::fine : Finding::ambiguous)
+            << "one that is trusted is not doubted for so little";
+    }
 }
 
 /// There may be a better pose where it has not looked.

@@ -20,15 +20,15 @@ inline constexpr double kDecisive = 7;
 /// chance are not so rare.
 inline constexpr double kSuspicious = 3, kMoved = 25;
 /// A pose found has to hold for so many frames, and on a way so long. It takes more of them where
-/// the same thing may mislead again and again: a robot that stands, two markers that are swapped, a
-/// map of which a search could not try all.
+/// the same thing may mislead again and again: a robot that stands, a map of which a search could
+/// not try all.
 inline constexpr int kFrames = 3, kMoreFrames = 10;
 inline constexpr double kWay_m = 0.3, kWay_rad = 0.3;
 /// On which dead reckoning may be off by so much, in sigmas: it may be what is wrong.
 inline constexpr double kOff_m = 0.05, kOff_rad = 0.05;
 /// So many markers speak for a pose other than one that was confirmed, if the map has them: two may
-/// be swapped, or one be moved. With fewer it takes more frames, with fewer still it is none.
-inline constexpr int kMarkers = 3, kFewestMarkers = 2;
+/// be swapped, or one be moved.
+inline constexpr int kMarkers = 3;
 /// So many have to agree with a pose that was given: what follows one thing that moves, as another
 /// robot, agrees with it for as long as that is in view.
 inline constexpr int kConfirmingMarkers = 2;
