@@ -100,7 +100,7 @@ void Fixer<Scalar, N>::follow(Track& track, const Pose<double>& odometry,
 /// Counts the markers that agree with an estimate that has to prove itself.
 template <typename Scalar, int N>
 void Fixer<Scalar, N>::agree(Track& track, const SightingReport& report) const noexcept {
-    const bool enough = confirms(track);
+    const int before = track.agreeing.count();
     const Marker* marker = map_.find(report.id);
     if (!track.agreement.last_agreed())
         track.agreeing = {};
@@ -108,7 +108,9 @@ void Fixer<Scalar, N>::agree(Track& track, const SightingReport& report) const n
         track.agreeing = MarkerSet::all();
     else
         track.agreeing.add(MarkerSet::of(marker - map_.markers().data()));
-    if (!enough && confirms(track)) track.search_due_utime = track.utime;  // at once, but once
+    const bool one_more =
+        track.agreement.in_a_row() == Agreement::kConfirming || track.agreeing.count() > before;
+    if (one_more && confirms(track)) track.search_due_utime = track.utime;  // at once
 }
 
 template <typename Scalar, int N>

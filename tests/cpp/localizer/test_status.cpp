@@ -10,10 +10,12 @@ PILOTAGE_LOCALIZER_SUITE(StatusTest);
 
 const MarkerMap kMap({{1, 6, 2, 0.4, 0}, {2, 6, -2, 0, 0}});
 
-/// A robot that stands, told the time and shown a marker so many times.
-void stand(Robot& robot, std::int64_t utime, int shown = 0) {
-    for (; shown > 0; --shown)
-        robot.add(sighting_at(utime - shown, 1, view({0, 0, 0}, kMap.markers()[0])));
+/// A robot that stands, told the time and shown a marker so many times: the two by turns, or one.
+void stand(Robot& robot, std::int64_t utime, int shown = 0, bool by_turns = true) {
+    for (; shown > 0; --shown) {
+        const Marker& marker = kMap.markers()[by_turns ? shown % 2 : 0];
+        robot.add(sighting_at(utime - shown, marker.id, view({0, 0, 0}, marker)));
+    }
     robot.add(encoders_at(utime, 0, 0));
 }
 
@@ -45,6 +47,21 @@ TEST_P(StatusTest, IsNotOkBeforeSightingsInARowConfirmThePose) {
     EXPECT_EQ(robot.estimate().status, Status::initializing);
     stand(robot, 103 * kPeriod, 1);
     EXPECT_EQ(robot.estimate().status, Status::ok);
+}
+
+TEST_P(StatusTest, IsConfirmedByTwoMarkersWhereTheMapHasThem) {
+    for (const bool has_two : {true, false}) {
+        Robot robot(GetParam(), plain_params(), has_two ? kMap : MarkerMap({kMap.markers()[0]}));
+        stand(robot, 0);
+        stand(robot, kSecond, 3 * kConfirming, false);
+        if (has_two) {
+            EXPECT_EQ(robot.estimate().status, Status::initializing);
+            EXPECT_EQ(robot.estimate().reason, Reason::one_marker);
+            EXPECT_EQ(robot.estimate().value, 3 * kConfirming);
+            stand(robot, 2 * kSecond, 1);  // the other one
+        }
+        EXPECT_EQ(robot.estimate().status, Status::ok) << has_two;
+    }
 }
 
 TEST_P(StatusTest, IsNotConfirmedByARejectedSighting) {
