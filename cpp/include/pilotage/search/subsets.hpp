@@ -23,7 +23,7 @@ template <int K>
     Subset<K> result{};
     int number = 0;
     for (int k = 0; k < K; ++k, ++number) {
-        for (int rest; index >= (rest = binomial(n - number - 1, K - k - 1)); ++number)
+        for (int rest = 0; index >= (rest = binomial(n - number - 1, K - k - 1)); ++number)
             index -= rest;
         result[static_cast<std::size_t>(k)] = number;
     }
