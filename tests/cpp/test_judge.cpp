@@ -123,16 +123,14 @@ TEST(JudgeTest, DoubtsAConfirmedEstimateBeforeItGivesItUp) {
 
 /// What spoke for it before does not count: the robot may just have been carried off.
 TEST(JudgeTest, HoldsAConfirmedEstimateAgainstTheLatestSightingsAlone) {
-    Hearing hearing;
-    hearing.claims(true);
-    Hypothesis late = hearing.idea(kThere, 20);
-    late.log_evidence = -1000;
-    hearing.ask({late});
-    EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere);
-    Hypothesis early = hearing.idea(kThere, 0);
-    early.log_evidence = 1000;
-    hearing.ask({early});
-    EXPECT_EQ(hearing.judgement.finding, Finding::fine);
+    for (const bool late : {true, false}) {
+        Hearing hearing;
+        hearing.claims(true);
+        Hypothesis other = hearing.idea(kThere, late ? 20 : 0);
+        other.log_evidence = late ? -1000 : 1000;
+        hearing.ask({other});
+        EXPECT_EQ(hearing.judgement.finding, late ? Finding::elsewhere : Finding::fine);
+    }
 }
 
 TEST(JudgeTest, HoldsAnEstimateThatIsNotConfirmedAgainstAllSightings) {

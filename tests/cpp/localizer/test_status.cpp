@@ -95,7 +95,8 @@ TEST_P(StatusTest, IsOkOnlyWhereThe95PercentRadiusIsBelowTheAlertLimit) {
         params.status.alert_limit_m = 0.2 * 2.4477 * (below ? 1.01 : 0.99);
         Robot robot(GetParam(), params, kMap);
         stand(robot, 0);
-        for (int i = 1; i <= kConfirming; ++i) robot.add(sighting_at(i, 1, {0.3, kNan, kNan}));
+        for (int i = 1; i <= kConfirming; ++i)
+            robot.add(sighting_at(i, 1 + i % 2, {0.3, kNan, kNan}));
         stand(robot, kPeriod);
         EXPECT_EQ(robot.estimate().status, below ? Status::ok : Status::dead_reckoning);
     }
@@ -112,7 +113,7 @@ TEST_P(StatusTest, CountsTheLongAxisOfTheEllipse) {
     std::copy(std::begin(covariance), std::end(covariance), reset.payload.reset.covariance);
     robot.add(reset);
     for (int i = 0; i < kConfirming; ++i) {
-        Sample seen = sighting_at(2 + i, 1, {0.3, kNan, kNan});
+        Sample seen = sighting_at(2 + i, 1 + i % 2, {0.3, kNan, kNan});
         seen.payload.sighting.sigma[0] = 1e3;
         robot.add(seen);
     }
