@@ -164,6 +164,7 @@ def rows(build: Path) -> Iterator[Row]:
     for states in (3, 6):
         yield Row(f"a sighting 1 s late, Ekf<{states}>", late[f"late{states}_us"], "µs", "≤ 15")
         yield Row("  each frame fused again", late[f"late{states}_frame_us"], "µs", "≤ 1.5")
+        yield Row("  a sighting in order", late[f"in_order{states}_us"], "µs")
     million = 1e6
     association = numbers(output_of(build / "bench/bench_association"))
     for sightings in ("one", "two"):

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <string>
 
+#include "pilotage/angle.hpp"
 #include "words.hpp"
 
 namespace pilotage {
@@ -35,7 +36,7 @@ class ElevationWatch {
     /// What is off, empty if nothing is.
     [[nodiscard]] std::string problem() const {
         if (!(w_ > 0)) return "";
-        constexpr double degree = 0.017453292519943295;
+        constexpr double degree = kPi<double> / 180;
         const double spread = std::max(0.0, wdd_ - wd_ * wd_ / w_);
         const double common = wdv_ - wd_ * wv_ / w_;
         const bool apart = spread > kApart_m * kApart_m * w_;
@@ -54,7 +55,8 @@ class ElevationWatch {
 
    private:
     static constexpr double kMemory = 500;  // sightings
-    // Of a standard normal. So much of 500 is a mean of 0.27 sigma, which no noise comes near.
+    // Of a standard normal, until the sums forget: they keep half the variance, and it is 8.5 of
+    // theirs. So much of 500 is a mean of 0.27 sigma, which no noise comes near.
     static constexpr double kLimit = 6;
     static constexpr double kApart_m = 0.1;  // distances that differ less tell of no slope
 

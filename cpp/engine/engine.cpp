@@ -95,9 +95,7 @@ void Engine::handle(std::string_view channel, std::int64_t received, const std::
         follow_clock(date.utime, received);
         publish_due(date.utime);
     }
-    bool moved = false;
-    for (Sample& sample : decoded_.samples) moved |= take(*input, sample, date);
-    if (moved && started()) publish_moved();
+    if (take(*input, date) && started()) publish_moved();
     publish_due(kEver);
 }
 
@@ -126,20 +124,25 @@ bool Engine::acceptable(Input& input, const Codec* codec, bool whole, std::int64
     return true;
 }
 
-/// Gives a sample to the localizer, unless its stamp or the configuration speaks against it.
-bool Engine::take(Input& input, Sample& sample, const Input::Date& date) {
-    sample.utime = date.utime;
-    if (input.sensor() >= 0) sample.source = static_cast<std::uint8_t>(input.sensor());
+/// Gives the samples of the message to the localizer, unless their stamp or the configuration
+/// speaks against them. \return whether the newest motion sample is a newer one than before
+bool Engine::take(const Input& input, const Input::Date& date) {
+    for (Sample& sample : decoded_.samples) {
+        sample.utime = date.utime;
+        if (input.sensor() >= 0) sample.source = static_cast<std::uint8_t>(input.sensor());
+    }
     Verdict verdict = Verdict::pending;
     if (!date.good) verdict = Verdict::clock;
-    if (sample.stream == Stream::reset &&
+    if (input.kind() == Kind::reset &&
         (config_.reset_policy == ResetPolicy::never ||
          (config_.reset_policy == ResetPolicy::not_ok && status_ == Status::ok)))
         verdict = Verdict::not_allowed;
+    const auto& samples = decoded_.samples;
     return std::visit(
         [&](auto& localizer) {
-            return verdict == Verdict::pending ? localizer.add(sample)
-                                               : localizer.refuse(sample, verdict);
+            if (verdict == Verdict::pending) return localizer.add(samples.data(), samples.size());
+            for (const Sample& sample : samples) localizer.refuse(sample, verdict);
+            return false;
         },
         localizer_);
 }

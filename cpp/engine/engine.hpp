@@ -75,7 +75,7 @@ class Engine final : private Listener {
     [[nodiscard]] Input* input_for(std::string_view channel, const Decoded* named) noexcept;
     [[nodiscard]] bool acceptable(Input& input, const Codec* codec, bool whole,
                                   std::int64_t fingerprint, std::size_t size);
-    [[nodiscard]] bool take(Input& input, Sample& sample, const Input::Date& date);
+    [[nodiscard]] bool take(const Input& input, const Input::Date& date);
     void follow_clock(std::int64_t utime, std::int64_t received);
     [[nodiscard]] double distance_to(const Marker* marker) const noexcept;
     void publish_moved();

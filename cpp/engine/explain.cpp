@@ -39,6 +39,9 @@ std::string explain(const Assessment& a) {
         case Reason::unconfirmed:
             return words("%.0f of the %.0f sightings in a row that confirm the pose", a.value,
                          a.limit);
+        case Reason::one_marker:
+            return words("%.0f sightings agree, all of one marker: another one confirms the pose",
+                         a.value);
         case Reason::found:
             return words("a pose is found; it has held for %.0f of %.0f frames: drive on", a.value,
                          a.limit);

@@ -32,13 +32,16 @@ Assessment assess(const Track<Scalar, N>& track, const Params& params, double si
                                 double(judging::kFrames)}
                    : Assessment{Status::waiting, Reason::no_pose, 0, 0};
     if (j.finding == Finding::elsewhere)
-        return {Status::lost, Reason::elsewhere, j.margin, judging::kSuspicious};
+        return {Status::lost, Reason::elsewhere, j.margin, judging::kDecisive};
     if (agreement.disagrees())
         return {track.confirmed ? Status::lost : Status::initializing, Reason::disagreement,
                 agreement.mean(), Agreement::kTooMuch};
     if (!track.confirmed)
-        return {Status::initializing, Reason::unconfirmed, double(agreement.in_a_row()),
-                double(Agreement::kConfirming)};
+        return {Status::initializing,
+                agreement.confirms() && track.agreeing.count() < judging::kConfirmingMarkers
+                    ? Reason::one_marker
+                    : Reason::unconfirmed,
+                double(agreement.in_a_row()), double(Agreement::kConfirming)};
     const double radius_m = std::sqrt(kChiSquare95 * largest_position_variance(track.covariance()));
     const double unfixed_s = seconds_between<double>(track.agreed_utime, track.utime);
     if (silent_s > p.lost_after_s)

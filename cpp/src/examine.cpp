@@ -74,6 +74,8 @@ Matrix<double, 3> symmetric_of(const double (&lower)[6]) noexcept {
 
 Verdict examine(const Sample& sample, const Params& params) noexcept {
     if (sample.utime < -kLastTime || sample.utime > kLastTime) return Verdict::bad_value;
+    if (is_measurement(sample.stream) && sample.source >= params.sensor_count)
+        return Verdict::bad_value;
     const Sample::Payload& payload = sample.payload;
     switch (sample.stream) {
         case Stream::reset: {

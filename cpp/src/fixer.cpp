@@ -6,15 +6,35 @@
 
 #include "pilotage/examine.hpp"
 #include "pilotage/fuse_fix.hpp"
+#include "pilotage/fuse_sighting.hpp"
+#include "pilotage/search/occam.hpp"
+#include "pilotage/sighting_report.hpp"
 
 namespace pilotage {
 
 namespace {
 
-constexpr double kSearchPeriod_s = 0.09;
+constexpr std::int64_t kSearchPeriod_us = 90'000;
 constexpr double kNowhere = 1e9;  // NIS of a sighting that no marker is near
 // A restored pose is from before the robot was switched off; so many nats speak against it.
 constexpr double kRestored = 3;
+constexpr double kDearest = -50;  // nats, of a pose that was given without any doubt
+
+/// Of one component's innovation. What else there is, as of the survey and of a bend, is neither's.
+struct Variances {
+    double sensor, pose;
+};
+
+/// H P H'
+double variance_by_pose(int component, const Pose<double>& robot,
+                        const Matrix<double, 3>& covariance, const Marker& marker,
+                        const Sighting& sighting, const SensorParams& sensor) noexcept {
+    const auto held = hold_against<double>(
+        robot, marker, sighting, sensor, Bearing<double>{}, Elevation<double>{},
+        Range<double>{sensor.range_scale, sensor.range_offset_m});
+    const auto h = held.jacobian.row(component);
+    return h.dot(h * covariance);
+}
 
 }  // namespace
 
@@ -74,6 +94,30 @@ void Fixer<Scalar, N>::follow(Track& track, const Pose<double>& odometry,
     track.keep_odometry(odometry);
     track.agreement.add(report.nis, report.dof, policies_[report.sensor].gate_nis[report.dof - 1]);
     if (track.agreement.last_agreed()) track.agreed_utime = report.utime;
+    if (!track.confirmed) agree(track, report);
+}
+
+/// Counts the markers that agree with an estimate that has to prove itself.
+template <typename Scalar, int N>
+void Fixer<Scalar, N>::agree(Track& track, const SightingReport& report) const noexcept {
+    const int before = track.agreeing.count();
+    const Marker* marker = map_.find(report.id);
+    if (!track.agreement.last_agreed())
+        track.agreeing = {};
+    else if (marker == nullptr)
+        track.agreeing = MarkerSet::all();
+    else
+        track.agreeing.add(MarkerSet::of(marker - map_.markers().data()));
+    const bool one_more =
+        track.agreement.in_a_row() == Agreement::kConfirming || track.agreeing.count() > before;
+    if (one_more && confirms(track)) track.search_due_utime = track.utime;  // at once
+}
+
+template <typename Scalar, int N>
+bool Fixer<Scalar, N>::confirms(const Track& track) const noexcept {
+    const int markers = static_cast<int>(map_.markers().size());
+    return track.agreement.confirms() &&
+           track.agreeing.count() >= std::min(judging::kConfirmingMarkers, markers);
 }
 
 template <typename Scalar, int N>
@@ -97,7 +141,10 @@ SightingReport Fixer<Scalar, N>::fix(Track& track, const Sample& sample) const n
     const SightingReport report =
         fuse(track.filter, sample, walls_, sensor, scale, policies_[sample.source]);
     if (params_.noise.adapts())
-        learn(track, report, [&](int c) { return scale * scale * variance_of(sample, sensor, c); });
+        learn(track, report, [&](int c) {
+            const double of_sensor = scale * scale * variance_of(sample, sensor, c);
+            return Variances{of_sensor, report.sigma[c] * report.sigma[c] - of_sensor};
+        });
     follow(track, odometry, report);
     return report;
 }
@@ -113,17 +160,21 @@ SightingReport Fixer<Scalar, N>::fuse(Track& track, const Sample& sample) const 
     Sample noisy = sample;
     noisy.payload.sighting = scaled(sample.payload.sighting, scale);
     const SensorParams noisy_sensor = scaled(sensor, scale);
+    const Pose<double> robot = track.pose();
+    const Matrix<double, 3> covariance = track.covariance();
     const SightingReport report = fuse(track.filter, noisy, map_, noisy_sensor, policy);
     learn(track, report, [&](int c) {
-        const double value = noisy.payload.sighting.value[c];
-        return sensor_variance(noisy.payload.sighting, ComponentIndex(c), noisy_sensor,
-                               value - report.innovation[c]);
+        const Sighting& sighting = noisy.payload.sighting;
+        return Variances{sensor_variance(sighting, ComponentIndex(c), noisy_sensor,
+                                         sighting.value[c] - report.innovation[c]),
+                         variance_by_pose(c, robot, covariance, *map_.find(sighting.id), sighting,
+                                          noisy_sensor)};
     });
     return report;
 }
 
 /// What an innovation tells of the noise. That of a pose which is not confirmed tells of the pose.
-/// \param variance_of of the sensor's noise as it was fused, by component
+/// \param variance_of Variances of a component, as it was fused
 template <typename Scalar, int N>
 template <typename Variance>
 void Fixer<Scalar, N>::learn(Track& track, const SightingReport& report,
@@ -135,9 +186,10 @@ void Fixer<Scalar, N>::learn(Track& track, const SightingReport& report,
         if (std::isnan(report.sigma[c])) return;
         const double variance = report.sigma[c] * report.sigma[c];
         const double squared = report.innovation[c] * report.innovation[c] / variance;
-        const double sensor_share = variance_of(c) / variance;
+        const Variances of = variance_of(c);
         const bool by_tilt = tilts && c == kElevation;
-        track.noise.learn(report.sensor, squared, sensor_share, by_tilt ? 0 : 1 - sensor_share);
+        track.noise.learn(report.sensor, squared, of.sensor / variance,
+                          by_tilt ? 0 : of.pose / variance);
     });
 }
 
@@ -155,28 +207,38 @@ Evidence Fixer<Scalar, N>::evidence(const Track& track, const Sample& sample,
 
 template <typename Scalar, int N>
 bool Fixer<Scalar, N>::doubtful(const Track& track) const noexcept {
-    if (!track.confirmed && track.agreement.confirms()) return true;
     const bool sure = track.confirmed && !track.agreement.suspicious() &&
                       !track.agreement.disagrees() && track.judgement.finding == Finding::fine;
-    return !sure && seconds_between<double>(track.searched_utime, track.utime) >= kSearchPeriod_s;
+    return !sure && track.utime >= track.search_due_utime;
 }
 
 template <typename Scalar, int N>
 void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int count,
                               PoseSearch& search) const noexcept {
-    track.searched_utime = track.utime;
-    Claim claim{track.located,
+    track.search_due_utime = track.utime + kSearchPeriod_us;
+    // What is vague foretells nothing that a better pose could be held against.
+    Claim claim{track.located && !judging::vague(track.covariance()),
                 track.confirmed,
                 track.pose(),
                 track.covariance(),
                 track.restored ? -kRestored : 0,
                 std::min(judging::kMarkers, static_cast<int>(map_.markers().size()))};
-    for (int i = 0; i < count; ++i) claim.log_evidence += newest_first[i].log_likelihood;
+    Evidence evidence[Evidence::kMost];
+    count = std::min(count, Evidence::kMost);
+    for (int i = 0; i < count; ++i) {
+        claim.log_evidence += newest_first[i].log_likelihood;
+        evidence[i] = newest_first[i];
+        // Of an estimate that has to prove itself, what explains as much is a rival as well.
+        if (!track.confirmed) evidence[i].log_likelihood = NAN;
+    }
+    // What made the estimate sure is no longer among them, and without it it is one of many poses.
+    if (count == Evidence::kMost)
+        claim.log_evidence += std::fmax(kDearest, log_occam(track.covariance(), Site(map_)));
     const Pose<double> odometry = track.odometry();
     Pose<double> guesses[Ideas::kMost];
     const int guessed = track.judgement.ideas.recall(odometry, guesses);
-    const auto turn = static_cast<std::uint32_t>(track.utime / 1000);
-    const Hypotheses found = search.run(newest_first, count, guesses, guessed, turn);
+    const Hypotheses found =
+        search.run(evidence, count, guesses, guessed, static_cast<std::uint64_t>(track.utime));
     const Hypothesis* winner = judge(track.judgement, claim, found, odometry);
     track.judgement.ideas.remember(found, odometry);
     if (winner != nullptr) {
@@ -184,11 +246,12 @@ void Fixer<Scalar, N>::search(Track& track, const Evidence* newest_first, int co
             ++track.resets;
             ++track.found;
         }
-        place(track, winner->pose, winner->covariance);
+        Matrix<double, 3> covariance = winner->covariance;
+        covariance.diagonal() += winner->drift;
+        place(track, winner->pose, covariance);
         track.confirmed = true;
         track.agreed_utime = track.utime;
-    } else if (track.located && track.judgement.finding == Finding::fine &&
-               track.agreement.confirms()) {
+    } else if (track.located && track.judgement.finding == Finding::fine && confirms(track)) {
         track.confirmed = true;
     }
 }
@@ -197,6 +260,7 @@ template <typename Scalar, int N>
 void Fixer<Scalar, N>::reset(Track& track, const PoseReset& to) const noexcept {
     if (track.located) ++track.resets;
     place(track, Pose<double>(to.pose), symmetric_of(to.covariance));
+    track.evidence_since = track.utime;  // what is seen at its time is seen from there
 }
 
 /// What is known of the calibration stays, what was known of the pose does not.
@@ -216,8 +280,9 @@ void Fixer<Scalar, N>::place(Track& track, const Pose<double>& pose,
     track.located = true;
     track.confirmed = track.restored = false;
     track.agreement = {};
+    track.agreeing = {};
     track.judgement = {};
-    track.evidence_since = track.utime;
+    track.evidence_since = track.utime + 1;
 }
 
 template class Fixer<double, kPoseStates>;

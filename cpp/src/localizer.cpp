@@ -5,6 +5,7 @@
 
 #include "pilotage/assess.hpp"
 #include "pilotage/examine.hpp"
+#include "pilotage/sighting_report.hpp"
 
 namespace pilotage {
 
@@ -42,7 +43,31 @@ bool Localizer<Scalar, N>::restore(const Checkpoint& from) noexcept {
 }
 
 template <typename Scalar, int N>
-bool Localizer<Scalar, N>::add(const Sample& sample) noexcept {
+bool Localizer<Scalar, N>::add(const Sample* samples, std::size_t count) noexcept {
+    bool moved = false;
+    std::size_t changed = kNowhere;  // the first place since the tracks were computed
+    for (const Sample* sample = samples; sample != samples + count; ++sample) {
+        if (!welcome(*sample)) continue;
+        if (history_.full()) {
+            recompute(changed);  // what goes has to be right
+            forget_step();
+        }
+        const std::size_t place = insert(*sample);
+        changed = std::min(changed, place);
+        if (place == kNowhere || !is_motion(*sample)) continue;
+        moved |= motion_before(history_.size()) == place;
+        recompute(changed);
+        forget_before(newest().utime - static_cast<std::int64_t>(
+                                           tracker_.params().history.window_s * kMicroseconds));
+    }
+    recompute(changed);
+    return moved;
+}
+
+/// Whether a sample has a place in the history, unless it is there already. What has none is
+/// answered here.
+template <typename Scalar, int N>
+bool Localizer<Scalar, N>::welcome(const Sample& sample) noexcept {
     const Verdict first = examine(sample, tracker_.params());
     if (first != Verdict::pending) return refuse(sample, first, NAN, NAN);
     if (!has_pose() && !newest().started && sample.stream == Stream::reset) {
@@ -52,8 +77,8 @@ bool Localizer<Scalar, N>::add(const Sample& sample) noexcept {
     }
     const double age_s = seconds_between<double>(sample.utime, newest().utime);
     const double window_s = tracker_.params().history.window_s;
-    if (newest().started && age_s > window_s) return refuse(sample, Verdict::late, age_s, window_s);
-    return insert(sample);
+    return !(newest().started && age_s > window_s) ||
+           refuse(sample, Verdict::late, age_s, window_s);
 }
 
 template <typename Scalar, int N>
@@ -69,30 +94,29 @@ bool Localizer<Scalar, N>::refuse(const Sample& sample, Verdict verdict, double 
     return false;
 }
 
+/// Puts a sample into its place, without computing anything.
+/// \pre the history is not full
+/// \return the place, or kNowhere if it was refused
 template <typename Scalar, int N>
-bool Localizer<Scalar, N>::insert(const Sample& sample) noexcept {
-    if (history_.full()) forget_step();
-    if (past().started && sample.utime <= past().utime)
-        return refuse(sample, Verdict::late, seconds_between<double>(sample.utime, newest().utime),
-                      seconds_between<double>(past().utime, newest().utime));
+std::size_t Localizer<Scalar, N>::insert(const Sample& sample) noexcept {
+    if (past().started && sample.utime <= past().utime) {
+        refuse(sample, Verdict::late, seconds_between<double>(sample.utime, newest().utime),
+               seconds_between<double>(past().utime, newest().utime));
+        return kNowhere;
+    }
     bool duplicate = false;
     const std::size_t place = history_.place(sample, duplicate);
-    if (duplicate) return refuse(sample, Verdict::duplicate, NAN, NAN);
+    if (duplicate) {
+        refuse(sample, Verdict::duplicate, NAN, NAN);
+        return kNowhere;
+    }
     Node& node = history_.insert(place);
     node.sample = sample;
     node.verdict = Verdict::pending;
     node.revision = 0;
     node.seen = false;
     if (sample.stream == Stream::gyro) settle(node, Verdict::fused);
-    if (!is_motion(sample)) {
-        if (place + 1 < history_.size()) recompute(place);
-        return false;
-    }
-    const bool newest_motion = motion_before(history_.size()) == place;
-    recompute(place);
-    forget_before(newest().utime -
-                  static_cast<std::int64_t>(tracker_.params().history.window_s * kMicroseconds));
-    return newest_motion;
+    return place;
 }
 
 /// Drops motion steps that no sample within the window can change any more.
@@ -137,7 +161,7 @@ void Localizer<Scalar, N>::set_time(std::int64_t utime) noexcept {
     Track& track = past() = now;
     const std::int64_t by = utime - track.utime;
     for (std::int64_t* time : {&track.utime, &track.agreed_utime, &track.tilt_utime,
-                               &track.searched_utime, &track.evidence_since})
+                               &track.search_due_utime, &track.evidence_since})
         *time += by;
     track.gyro.restart(utime);
 }
@@ -148,10 +172,12 @@ void Localizer<Scalar, N>::finish() noexcept {
         if (history_[i].verdict == Verdict::pending) dismiss(history_[i], Verdict::no_motion);
 }
 
-/// Computes the tracks anew from the last motion sample before `place`.
+/// Computes the tracks anew from the last motion sample before `place`, which then is kNowhere.
 template <typename Scalar, int N>
-void Localizer<Scalar, N>::recompute(std::size_t place) noexcept {
+void Localizer<Scalar, N>::recompute(std::size_t& place) noexcept {
+    if (place == kNowhere) return;
     const std::size_t before = motion_before(place);
+    place = kNowhere;
     const Track* last = &track_at(before);
     std::size_t done = before == history_.size() ? 0 : before + 1;
     for (std::size_t i = done; i < history_.size(); ++i) {
@@ -271,10 +297,12 @@ void Localizer<Scalar, N>::report(Node& node, SightingReport report) noexcept {
 /// Looks for other poses that explain the latest sightings, up to the one at `newest`.
 template <typename Scalar, int N>
 void Localizer<Scalar, N>::search(Track& track, std::size_t newest) noexcept {
-    Evidence evidence[PoseSearch::kMostEvidence];
-    int count = 0;
+    Evidence evidence[Evidence::kMost];
+    int count = 0, looked_at = 0;
     const auto take = [&](std::int64_t utime, const Evidence& e) {
-        if (count == PoseSearch::kMostEvidence || utime < track.evidence_since) return;
+        if (++looked_at > Memory::kCapacity || count == Evidence::kMost ||
+            utime < track.evidence_since)
+            return;
         const auto same = [&](const Evidence& other) { return other.sighting.id == e.sighting.id; };
         if (e.sighting.id >= 0 &&
             std::count_if(evidence, evidence + count, same) >= fixer_.evidence_wanted(track))

@@ -5,12 +5,17 @@
 #include <limits>
 #include <utility>
 
+#include "pilotage/search/common_drift.hpp"
+#include "pilotage/search/occam.hpp"
+
 namespace pilotage {
 
 namespace {
 
 /// A candidate carries the noise of two or three sightings, so it is scored with wider variances.
 constexpr double kWiden = 9;
+
+constexpr double kLog2 = 0.6931471805599453;
 
 /// Some pose explains any two.
 constexpr int kLeastExplained = 3;
@@ -43,15 +48,14 @@ double PoseSearch::log_likelihood(const Pose<double>& pose, const Matrix<double,
 /// variance comes as many times as there can be of them.
 void PoseSearch::allow_tilt(View& view) const noexcept {
     if (!params_.tilt.any() || !view.has(kElevation)) return;
-    const double variance = kMostEvidence * params_.tilt.variance_rad2();
-    const double slope = std::tan(view.sighting->value[kElevation]);
+    const double variance = Evidence::kMost * params_.tilt.variance_rad2();
     view.variance[kElevation] += variance;
-    view.variance[kBearing] += slope * slope * variance;
+    view.variance[kBearing] += view.slope * view.slope * variance;
 }
 
 void PoseSearch::take(const Evidence* newest_first, int count) noexcept {
     count_ = 0;
-    for (int i = 0; i < std::min(count, kMostEvidence); ++i) {
+    for (int i = 0; i < std::min(count, Evidence::kMost); ++i) {
         const Evidence& e = newest_first[i];
         View& view = views_[count_];
         view = view_of(e.sighting, params_.sensors[e.source], map_, site_,
@@ -83,17 +87,23 @@ void PoseSearch::choose_seeds() noexcept {
 }
 
 void PoseSearch::consider(const Point& place, const Point& turn) noexcept {
-    if (site_.holds(place[0], place[1])) consider(Frame(place, turn));
+    constexpr int kStrangeOfLatest = 3;  // one more than a judge believes
+    ++considered_;
+    if (site_.holds(place[0], place[1])) consider(Frame(place, turn), kStrangeOfLatest);
 }
 
 /// Scores a candidate, for as long as it may be better than those that there are.
-void PoseSearch::consider(const Frame& robot) noexcept {
+/// \param most_strange it is given up if it explains no more of the newest sightings
+void PoseSearch::consider(const Frame& robot, int most_strange) noexcept {
     const double threshold = candidates_.threshold();
     double sum = 0, best = 0;
-    int explained = 0;
+    int explained = 0, strange = 0;
     for (int i = 0; i < count_; ++i) {
         work(views_[i].marker != nullptr ? kWork : kWork + markers());
-        sum += explain(views_[i], robot, map_, kWiden).log_likelihood - views_[i].log_likelihood;
+        const double log_likelihood = explain(views_[i], robot, map_, kWiden).log_likelihood;
+        const bool clutter = log_likelihood < views_[i].log_clutter + kLog2;
+        if (i < Hypothesis::kLatest && clutter && ++strange > most_strange) return;
+        sum += log_likelihood - views_[i].log_likelihood;
         if (sum >= best) {
             best = sum;
             explained = i + 1;
@@ -107,24 +117,24 @@ void PoseSearch::consider(const Frame& robot) noexcept {
 Hypothesis PoseSearch::judge(const PoseFit& fit) const noexcept {
     Hypothesis result;
     result.pose = fit.pose;
-    const Ldlt<double, 3> information(fit.information);
-    result.covariance = information.inverse();
-    const double occam = (3 * std::log(2 * kPi<double>) - std::log(information.determinant())) / 2 -
-                         site_.log_volume();
+    result.covariance = Ldlt<double, 3>(fit.information).inverse();
+    const double occam = log_occam(result.covariance, site_);
     const Frame robot(fit.pose);
+    CommonDrift drift;
     double sum = 0;
     int sightings = 0;
-    std::uint64_t markers = 0;
+    MarkerSet markers;
     const double moment = -std::log(count_);  // any sighting may be the first that it explains
     result.log_evidence = occam;
     result.gain = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < count_; ++i) {
         const Explanation e = explain(views_[i], robot, map_);
+        drift.add(views_[i], e);
         result.log_evidence += e.log_likelihood;
         sum += e.log_likelihood - views_[i].log_likelihood;
         if (e.belief > 0.5) {
             ++sightings;
-            markers |= std::uint64_t{1} << (e.marker - map_.markers().data()) % 64;
+            markers.add(MarkerSet::of(e.marker - map_.markers().data()));
         } else if (i < Hypothesis::kLatest) {
             ++result.clutter;
         }
@@ -134,33 +144,33 @@ Hypothesis PoseSearch::judge(const PoseFit& fit) const noexcept {
         result.sightings = sightings;
         result.markers = markers;
     }
+    result.drift = drift.variances();
     return result;
 }
 
-/// Two that are the same become the better one.
+/// Those that are the same become the best of them.
 void PoseSearch::keep(const Hypothesis& hypothesis) noexcept {
     constexpr double kSameSquared = 9;
-    int at = 0;
-    for (; at < found_; ++at)
-        if (same(hypotheses_[at], hypothesis.pose, kSameSquared) ||
-            same(hypothesis, hypotheses_[at].pose, kSameSquared))
-            break;
-    if (at < found_) {
-        if (hypotheses_[at].gain >= hypothesis.gain) return;
-    } else if (found_ < kMostHypotheses) {
-        ++found_;
-    } else if (hypotheses_[--at].gain >= hypothesis.gain) {
-        return;
-    }
-    for (; at > 0 && hypotheses_[at - 1].gain < hypothesis.gain; --at)
-        hypotheses_[at] = hypotheses_[at - 1];
-    hypotheses_[at] = hypothesis;
+    const auto twin = [&](const Hypothesis& other) {
+        return same(other.pose, hypothesis.pose, other.covariance, kSameSquared) ||
+               same(other.pose, hypothesis.pose, hypothesis.covariance, kSameSquared);
+    };
+    const auto better = [&](const Hypothesis& other) { return other.gain >= hypothesis.gain; };
+    Hypothesis* end = hypotheses_ + found_;
+    if (std::any_of(hypotheses_, end, [&](const auto& h) { return twin(h) && better(h); })) return;
+    end = std::remove_if(hypotheses_, end, twin);
+    Hypothesis* at = std::partition_point(hypotheses_, end, better);
+    if (at == hypotheses_ + Hypotheses::kMost) return;
+    if (end == hypotheses_ + Hypotheses::kMost) --end;
+    std::move_backward(at, end, end + 1);
+    *at = hypothesis;
+    found_ = static_cast<int>(end - hypotheses_) + 1;
 }
 
 /// Climbs from the best candidates, with one widening of the variances after the other. Those that
 /// lead to where another one led are given up on the way.
 void PoseSearch::refine_best(std::initializer_list<double> widenings) noexcept {
-    constexpr double kNearSquared = 36;
+    constexpr double kNearSquared = 36, kNear_m = 1, kNear_rad = 1;
     int refined = 0;
     for (int i = 0; i < candidates_.count() && refined < kRefined; ++i) {
         const Candidate& candidate = candidates_[i];
@@ -169,7 +179,8 @@ void PoseSearch::refine_best(std::initializer_list<double> widenings) noexcept {
         fit.pose = candidate.pose;
         const auto known = [&] {
             return std::any_of(hypotheses_, hypotheses_ + found_, [&](const Hypothesis& h) {
-                return same(h, fit.pose, kNearSquared) && minus(fit.pose, h.pose).squaredNorm() < 1;
+                return same(h.pose, fit.pose, h.covariance, kNearSquared) &&
+                       within(h.pose, fit.pose, kNear_m, kNear_rad);
             });
         };
         bool given_up = known();
@@ -186,20 +197,21 @@ void PoseSearch::refine_best(std::initializer_list<double> widenings) noexcept {
 }
 
 Hypotheses PoseSearch::run(const Evidence* newest_first, int count, const Pose<double>* guesses,
-                           int guess_count, std::uint32_t turn) noexcept {
-    turn_ = turn;
+                           int guess_count, std::uint64_t turn) noexcept {
+    turn_ = scattered(turn);
     work_ = kMostWork * std::min(markers(), kMostMarkers);
     take(newest_first, count);
     choose_seeds();
     candidates_.clear();
-    found_ = 0;
-    for (int i = 0; i < guess_count; ++i) consider(Frame(guesses[i]));
+    found_ = considered_ = 0;
+    whole_ = false;
+    for (int i = 0; i < guess_count; ++i) consider(Frame(guesses[i]), Hypothesis::kLatest);
     refine_best({1});  // widened, two tops that are near each other become one
     propose_by_points();
     propose_by_bearings();
     propose_by_arcs();
     refine_best({4, 1});  // a candidate is too far off for some sightings
-    return {hypotheses_, found_};
+    return {hypotheses_, found_, whole_ || work_ > 0};
 }
 
 }  // namespace pilotage

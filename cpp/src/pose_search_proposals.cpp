@@ -24,11 +24,12 @@ void PoseSearch::propose_by_points() noexcept {
             consider(place_by_point(point, headings.direction[i]), headings.direction[i]);
     };
     each_subset<2>(seed_count_, turn_, [&](const Subset<2>& pair) {
+        const int before = considered_;
         each_clue(seed(pair[0]), [&](const Clue& one) {
             work(markers());
             each_clue(seed(pair[1]), [&](const Clue& two) { propose(one, two); });
         });
-        return work_ > 0;
+        return go_on(before);
     });
 }
 
@@ -50,6 +51,7 @@ void PoseSearch::propose_by_bearings() noexcept {
             if (!seed(i).has(kBearing) || seed(i).has(kRange)) return true;
         const ThreeBearings three(seed(triple[0]), seed(triple[1]), seed(triple[2]));
         if (three.spread() < kLeastSpread) return true;
+        const int before = considered_;
         each_ray(seed(triple[0]), [&](const Clue& one) {
             each_ray(seed(triple[1]), [&](const Clue& two) {
                 if (two.marker == one.marker || !work(kWork * markers())) return;
@@ -59,7 +61,7 @@ void PoseSearch::propose_by_bearings() noexcept {
                 });
             });
         });
-        return work_ > 0;
+        return go_on(before);
     });
 }
 

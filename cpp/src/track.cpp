@@ -21,8 +21,6 @@ constexpr double kMoved_rad = 0.2;
 constexpr double kNoIdea_m = 10;
 constexpr double kNoIdea_rad = 1;
 
-constexpr std::int64_t kSearchDue_us = 1'000'000;  // so long ago that the first search is due
-
 constexpr int kLongSlip = 4;  // windows; after them the gyro may be stuck as well
 
 double square(double v) noexcept {
@@ -118,8 +116,7 @@ bool Tracker<Scalar, N>::restore(const Checkpoint& from, Track& track) const noe
 template <typename Scalar, int N>
 void Tracker<Scalar, N>::begin(Track& track, const Sample& motion) const noexcept {
     track.utime = track.agreed_utime = motion.utime;
-    track.tilt_utime = track.evidence_since = motion.utime;
-    track.searched_utime = motion.utime - kSearchDue_us;
+    track.tilt_utime = track.evidence_since = track.search_due_utime = motion.utime;
     track.started = true;
     (void)track.gyro.take(motion.utime, params_.motion.max_gap_s);
     if (params_.motion.source == MotionSource::encoders) {
@@ -326,7 +323,9 @@ void Tracker<Scalar, N>::learn_bias(Track& track) const noexcept {
         variance << Scalar(square(params_.noise.gyro_rad_per_sqrt_s) / window.duration_s);
         Matrix<Scalar, 1, N> h = Matrix<Scalar, 1, N>::Zero();
         h(0, kGyroBias) = 1;
+        const Pose<double> odometry = track.odometry();  // what is learned moves the pose as well
         (void)track.filter.correct_independent(innovation, h, variance, Policy{});
+        track.keep_odometry(odometry);
     }
 }
 

@@ -15,7 +15,14 @@ namespace {
 using judging::kDecisive;
 using judging::kFrames;
 using judging::kMarkers;
+using judging::kMoreFrames;
 using judging::kSuspicious;
+
+MarkerSet first_markers(int count) {
+    MarkerSet markers;
+    for (int i = 0; i < count; ++i) markers.add(MarkerSet::of(i));
+    return markers;
+}
 
 /// A robot that moves on between frames, and what its search tells the judge of each. Places are
 /// those where it began.
@@ -23,6 +30,7 @@ class Hearing {
    public:
     Judgement judgement;
     Claim claim;
+    bool whole = true;
 
     /// An idea of where the robot is now, if it began at a pose; better than the estimate by so
     /// many nats, by all sightings and by the latest alike.
@@ -32,7 +40,7 @@ class Hearing {
         h.covariance = Pose<double>(4e-4, 4e-4, 1e-4).asDiagonal();
         h.log_evidence = claim.log_evidence + nats;
         h.gain = nats;
-        h.markers = 0b10110;
+        h.markers = first_markers(3);
         return h;
     }
 
@@ -51,8 +59,8 @@ class Hearing {
 
     /// \return the place in `found` of the one that wins, -1 if none does
     int ask(const std::vector<Hypothesis>& found) {
-        const Hypothesis* winner =
-            judge(judgement, claim, {found.data(), static_cast<int>(found.size())}, odometry_);
+        const Hypothesis* winner = judge(
+            judgement, claim, {found.data(), static_cast<int>(found.size()), whole}, odometry_);
         return winner == nullptr ? -1 : static_cast<int>(winner - found.data());
     }
 
@@ -115,16 +123,14 @@ TEST(JudgeTest, DoubtsAConfirmedEstimateBeforeItGivesItUp) {
 
 /// What spoke for it before does not count: the robot may just have been carried off.
 TEST(JudgeTest, HoldsAConfirmedEstimateAgainstTheLatestSightingsAlone) {
-    Hearing hearing;
-    hearing.claims(true);
-    Hypothesis late = hearing.idea(kThere, 20);
-    late.log_evidence = -1000;
-    hearing.ask({late});
-    EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere);
-    Hypothesis early = hearing.idea(kThere, 0);
-    early.log_evidence = 1000;
-    hearing.ask({early});
-    EXPECT_EQ(hearing.judgement.finding, Finding::fine);
+    for (const bool late : {true, false}) {
+        Hearing hearing;
+        hearing.claims(true);
+        Hypothesis other = hearing.idea(kThere, late ? 20 : 0);
+        other.log_evidence = late ? -1000 : 1000;
+        hearing.ask({other});
+        EXPECT_EQ(hearing.judgement.finding, late ? Finding::elsewhere : Finding::fine);
+    }
 }
 
 TEST(JudgeTest, HoldsAnEstimateThatIsNotConfirmedAgainstAllSightings) {
@@ -196,7 +202,7 @@ TEST(JudgeTest, ALeaderThatStandsTakesMoreFrames) {
     int frames = 1;
     for (; hearing.ask({hearing.idea(kThere, 30)}) < 0 && frames < 100; ++frames)
         hearing.move(0.01, 0.008);
-    EXPECT_EQ(frames, judging::kFramesStanding)
+    EXPECT_EQ(frames, judging::kMoreFrames)
         << "what misleads a robot that stands does so again and again";
 }
 
@@ -235,21 +241,55 @@ TEST(JudgeTest, ALeaderHasToExplainTheNewestSightings) {
 }
 
 /// Two may be swapped, or one be moved.
-TEST(JudgeTest, AConfirmedEstimateFallsToThreeMarkersOnlyIfThereAreSoMany) {
+TEST(JudgeTest, AConfirmedEstimateFallsToThreeMarkersOnlyIfTheMapHasThem) {
     for (const bool confirmed : {false, true})
-        for (const int needed : {2, kMarkers}) {
-            Hearing hearing;
-            hearing.claims(confirmed);
-            hearing.claim.markers = needed;
-            for (int frame = 1; frame <= 2 * kFrames; ++frame) {
-                Hypothesis two = hearing.idea(kThere, 30);
-                two.markers = 0b101;
-                const bool wins = (!confirmed || needed == 2) && frame >= kFrames;
-                EXPECT_EQ(hearing.ask({two}), wins ? 0 : -1) << "frame " << frame;
-                EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere) << "it is no longer OK";
-                hearing.move();
+        for (const int wanted : {2, kMarkers})
+            for (const int markers : {1, 2, 3}) {
+                Hearing hearing;
+                hearing.claims(confirmed);
+                hearing.claim.markers = wanted;
+                const bool enough = !confirmed || markers >= wanted;
+                for (int frame = 1; frame <= 2 * kMoreFrames; ++frame) {
+                    Hypothesis few = hearing.idea(kThere, 30);
+                    few.markers = first_markers(markers);
+                    EXPECT_EQ(hearing.ask({few}), enough && frame >= kFrames ? 0 : -1)
+                        << "frame " << frame;
+                    EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere) << "it is not OK";
+                    hearing.move();
+                }
             }
-        }
+}
+
+/// A rival that has led leaves doubt, though the estimate explains the sightings as well.
+TEST(JudgeTest, AnEstimateThatWasDoubtedHasToStandOutAgain) {
+    for (const bool confirmed : {false, true}) {
+        Hearing hearing;
+        hearing.claims(confirmed);
+        const Hypothesis rival = hearing.idea(kThere, 2 * kDecisive);
+        const auto finding_with = [&](const std::vector<Hypothesis>& found) {
+            hearing.ask(found);
+            return hearing.judgement.finding;
+        };
+        const Hypothesis weaker = hearing.idea(kThere, -kDecisive - 1);
+        const Hypothesis alike = hearing.idea(kThere, -kDecisive + 1);
+        const Hypothesis itself = hearing.idea({0, 0, 0}, 0);
+        EXPECT_EQ(finding_with({}), Finding::fine) << "nothing speaks against it";
+        EXPECT_EQ(finding_with({rival}), Finding::elsewhere);
+        EXPECT_EQ(finding_with({}), Finding::ambiguous) << "nothing speaks for it";
+        EXPECT_EQ(finding_with({itself, alike}), Finding::ambiguous);
+        EXPECT_EQ(finding_with({itself, weaker}), Finding::fine);
+        EXPECT_EQ(finding_with({alike}), confirmed ? Finding::fine : Finding::ambiguous)
+            << "one that is trusted is not doubted for so little";
+    }
+}
+
+/// There may be a better pose where it has not looked.
+TEST(JudgeTest, ASearchThatCouldNotTryAllTakesMoreFrames) {
+    Hearing hearing;
+    hearing.whole = false;
+    int frames = 1;
+    for (; hearing.ask({hearing.idea(kThere, 30)}) < 0 && frames < 100; ++frames) hearing.move();
+    EXPECT_EQ(frames, judging::kMoreFrames);
 }
 
 TEST(JudgeTest, ARowThatIsBrokenStartsAnew) {
@@ -350,13 +390,24 @@ TEST(JudgeTest, WhatIsNextToASureEstimateIsNoRival) {
     EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere);
 }
 
-TEST(JudgeTest, WhatIsTheEstimateItselfIsNoSecondEither) {
-    Hearing hearing;
-    hearing.claims(true);
-    for (int frame = 1; frame <= kFrames; ++frame) {
-        const int winner = hearing.ask({hearing.idea(kThere, 30), hearing.idea(kHere, 29)});
-        EXPECT_EQ(winner, frame < kFrames ? -1 : 0);
-        hearing.move();
+/// An unsure estimate foretells little of what it then sees: what is made of that by the pose that
+/// it will become speaks for it.
+TEST(JudgeTest, WhatIsTheEstimateItselfSpeaksForIt) {
+    for (const bool confirmed : {false, true}) {
+        Hearing hearing;
+        hearing.claims(confirmed);
+        for (int frame = 0; frame < 20; ++frame) {
+            EXPECT_EQ(hearing.ask({hearing.idea(kThere, 60), hearing.idea(kHere, 59)}), -1);
+            EXPECT_EQ(hearing.judgement.finding, confirmed ? Finding::fine : Finding::ambiguous);
+            EXPECT_NEAR(hearing.judgement.margin, 1, 1e-9);
+            hearing.move();
+        }
+        int winner = -1;
+        for (int frame = 0; frame < kFrames; ++frame) {
+            winner = hearing.ask({hearing.idea(kThere, 60), hearing.idea(kHere, 30)});
+            hearing.move();
+        }
+        EXPECT_EQ(winner, 0) << "by 30 nats";
     }
 }
 

@@ -2,6 +2,7 @@
 /// \file
 /// From a track to the status that is promised.
 
+#include "pilotage/status.hpp"
 #include "pilotage/track.hpp"
 
 namespace pilotage {

@@ -37,7 +37,7 @@ class Fixer {
     /// How many of the latest sightings of each marker to do it with.
     [[nodiscard]] static int evidence_wanted(const Track& track) noexcept {
         constexpr int few = 6;  // where the robot may have been carried off, or its motion is wrong
-        return track.confirmed ? few : PoseSearch::kMostEvidence;
+        return track.confirmed ? few : Evidence::kMost;
     }
     /// Looks for them, and takes the one that the judge prefers to the estimate.
     /// \param newest_first sightings since track.evidence_since
@@ -51,6 +51,8 @@ class Fixer {
     [[nodiscard]] SightingReport fuse(Track& track, const Sample& sample) const noexcept;
     void follow(Track& track, const Pose<double>& odometry,
                 const SightingReport& report) const noexcept;
+    void agree(Track& track, const SightingReport& report) const noexcept;
+    [[nodiscard]] bool confirms(const Track& track) const noexcept;
     template <typename Variance>
     void learn(Track& track, const SightingReport& report,
                const Variance& variance_of) const noexcept;

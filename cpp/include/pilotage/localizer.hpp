@@ -10,6 +10,7 @@
 #include "pilotage/history.hpp"
 #include "pilotage/search/memory.hpp"
 #include "pilotage/search/pose_search.hpp"
+#include "pilotage/status.hpp"
 #include "pilotage/track.hpp"
 
 namespace pilotage {
@@ -51,10 +52,12 @@ class Localizer {
     /// \param listener outlives the localizer
     Localizer(const Params& params, MarkerMap map, Listener& listener, WallMap walls = {});
 
-    /// Takes a sample; sightings wait for the motion sample after them.
+    /// Takes samples, those of a message together, so that a late frame is computed once; sightings
+    /// wait for the motion sample after them.
     /// \return whether the newest motion sample is a newer one than before: time to publish the
     /// estimate
-    bool add(const Sample& sample) noexcept;
+    bool add(const Sample* samples, std::size_t count) noexcept;
+    bool add(const Sample& sample) noexcept { return add(&sample, 1); }
 
     /// Turns a sample away for a reason from outside. \return false
     bool refuse(const Sample& sample, Verdict verdict) noexcept {
@@ -104,14 +107,16 @@ class Localizer {
     };
 
     // Intake.
-    bool insert(const Sample& sample) noexcept;
+    static constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
+    bool welcome(const Sample& sample) noexcept;
+    std::size_t insert(const Sample& sample) noexcept;
     bool refuse(const Sample& sample, Verdict verdict, double value, double limit) noexcept;
     void forget_before(std::int64_t horizon) noexcept;
     void forget_step() noexcept;
     void forget_front() noexcept;
 
     // Computing again from a place in the history.
-    void recompute(std::size_t place) noexcept;
+    void recompute(std::size_t& place) noexcept;
     void advance(Track& track, std::size_t from, std::size_t to) noexcept;
     void begin(Track& track, std::size_t from, std::size_t to) noexcept;
     [[nodiscard]] std::size_t recognise(const Track& track, std::size_t from,

@@ -5,7 +5,7 @@
 /// The log likelihood of one component's innovation v, whose variance is S = H P H' + R, is
 ///     L = -(v^2 / S + ln S) / 2.
 /// Of a factor f on R, or on the motion noise that H P H' grew from, it depends by
-///     dL / d ln f = share (v^2 / S - 1) / 2,  with share = R / S, or 1 - R / S,
+///     dL / d ln f = share (v^2 / S - 1) / 2,  with share = R / S, or H P H' / S,
 /// and every innovation moves ln f a small step up that slope: innovation-based adaptation (Mehra,
 /// "Approaches to adaptive filtering", IEEE Trans. Automatic Control 17(5), 1972) by stochastic
 /// approximation. Its mean is zero where both factors are right, whatever their shares; shares that
@@ -16,8 +16,8 @@
 #include <array>
 #include <cmath>
 
-#include "pilotage/held_sighting.hpp"
 #include "pilotage/params.hpp"
+#include "pilotage/samples.hpp"
 
 namespace pilotage {
 

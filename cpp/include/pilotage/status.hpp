@@ -22,6 +22,7 @@ enum class Reason : std::uint8_t {
     no_pose,
     no_motion,
     unconfirmed,   ///< sightings that agree, so far
+    one_marker,    ///< sightings that agree, all of one marker
     found,         ///< frames that the pose found has held for, so far
     rival,         ///< nats by which the best pose explains the sightings better than the next
     elsewhere,     ///< nats by which another pose explains the sightings better

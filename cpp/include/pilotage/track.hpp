@@ -5,7 +5,6 @@
 
 #include <cstdint>
 
-#include "pilotage/association.hpp"
 #include "pilotage/checkpoint.hpp"
 #include "pilotage/dead_reckoning.hpp"
 #include "pilotage/filter/agreement.hpp"
@@ -17,7 +16,6 @@
 #include "pilotage/params.hpp"
 #include "pilotage/samples.hpp"
 #include "pilotage/search/frame.hpp"
-#include "pilotage/status.hpp"
 #include "pilotage/verdict.hpp"
 
 namespace pilotage {
@@ -35,12 +33,13 @@ struct Track {
     TickCounter ticks;
     MotionCheck check;
     Agreement agreement;
+    MarkerSet agreeing;  ///< of which those in a row are, until it is confirmed
     Judgement judgement;
     Drift drift;
     std::int64_t utime = 0;
     std::int64_t agreed_utime = 0;      ///< of the last sighting that agreed
     std::int64_t tilt_utime = 0;        ///< when it was settled, where tilt is a state
-    std::int64_t searched_utime = 0;    ///< when other poses were looked for
+    std::int64_t search_due_utime = 0;  ///< other poses are not looked for before
     std::int64_t evidence_since = 0;    ///< nothing older speaks of this pose
     Increment<Scalar> motion;           ///< of the last motion sample that took time
     Vector<Scalar, 2> driven = {0, 0};  ///< (distance [m], turn [rad]) of the last motion sample

@@ -1,5 +1,7 @@
 // A robot that is carried off unnoticed while it drives: sightings tell, and tell where to.
 
+#include <algorithm>
+
 #include "support/journeys.hpp"
 #include "support/localizers.hpp"
 
@@ -167,6 +169,36 @@ TEST_P(KidnapTest, IsFoundAgainAfterTheClockWasSet) {
         robot.add(journey.go(5, 0.5, 0.2));
         EXPECT_EQ(robot.estimate().status, Status::ok);
         EXPECT_LT(off_by(robot.pose(), journey.truth), 0.3);
+    }
+}
+
+/// How far a search looks back is no matter of what the history still has.
+TEST_P(KidnapTest, IsFoundAgainInWhateverOrderThingsArrive) {
+    const std::vector<Marker>& all = kMap.markers();
+    MarkerMap seen({all.begin(), all.begin() + 2});
+    Journey journey(seen, 4);
+    std::vector<Sample> samples = journey.go(4, 0.5, 0.2);
+    const auto more = [&](const std::vector<Sample>& s) {
+        samples.insert(samples.end(), s.begin(), s.end());
+    };
+    seen = MarkerMap({all.begin() + 2, all.end()});
+    more(journey.go(4, 0.5, 0.2));
+    journey.truth[kX] += 3;
+    more(journey.go(3, 0.5, 0.2));
+    Robot in_order(GetParam(), gyro_params(), kMap);
+    in_order.add(samples);
+    EXPECT_EQ(in_order.estimate().found, 1);
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        Draw draw(seed);
+        std::vector<std::pair<double, std::size_t>> arrival;
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            arrival.emplace_back(double(samples[i].utime) + draw.uniform(0, 0.95e6 * seed / 2), i);
+        std::sort(arrival.begin(), arrival.end());
+        Robot late(GetParam(), gyro_params(), kMap);
+        for (const auto& [time, i] : arrival) late.add(samples[i]);
+        EXPECT_TRUE(close(late.state(), in_order.state(), GetParam().is_double ? 1e-9 : 1e-4));
+        EXPECT_EQ(late.estimate().found, 1);
+        expect_sums_hold(late);
     }
 }
 

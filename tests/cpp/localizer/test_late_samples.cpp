@@ -60,6 +60,48 @@ TEST_P(LateSampleTest, BringsNewRevisionsOfTheReportsAfterIt) {
     EXPECT_NE(robot.tally.reports[2].innovation[0], robot.tally.reports[0].innovation[0]);
 }
 
+/// What is wrong with some is said of each.
+TEST_P(LateSampleTest, AFrameOfManyIsComputedOnce) {
+    std::vector<Sample> samples = drive(100, 10, 10);
+    Robot late(GetParam(), plain_params(), kMap), in_order(GetParam(), plain_params(), kMap);
+    late.add(samples);
+    std::vector<Sample> frame;
+    for (std::uint16_t i = 0; i < 16; ++i)
+        frame.push_back(
+            sighting_at(kSecond, 1 + i % 2, view({0.5, 0, 0}, kMap.markers()[i % 2]), i));
+    std::vector<Sample> message = frame;
+    message.push_back(frame[3]);
+    message.push_back(sighting_at(kSecond, 1, {kInf, kNan, kNan}, 17));
+    EXPECT_FALSE(late.add_together(message)) << "motion is no newer";
+    EXPECT_EQ(late.tally.reports.size(), 18U) << "each was judged once";
+    for (const SightingReport& report : late.tally.reports) EXPECT_EQ(report.revision, 0);
+    EXPECT_EQ(late.tally.count(Verdict::duplicate), 1);
+    EXPECT_EQ(late.tally.count(Verdict::bad_value), 1);
+    expect_sums_hold(late);
+    samples.insert(samples.end(), frame.begin(), frame.end());
+    std::sort(samples.begin(), samples.end(), InOrder{});
+    in_order.add(samples);
+    EXPECT_EQ(late.state(), in_order.state());
+    EXPECT_EQ(late.covariance(), in_order.covariance());
+}
+
+/// A history that cannot hold it forgets what it has computed, not what it was about to.
+TEST_P(LateSampleTest, AMessageOfMotionAndMoreThanThereIsRoomForIsAsIfOneByOne) {
+    Params params = plain_params();
+    params.history.capacity = 16;
+    std::vector<Sample> samples = drive(60, 9, 11);
+    for (int i = 1; i < 40; ++i)
+        samples.push_back(sighting_at(i * 30'000 + 1, 1, view({0.5, 0, 0.1}, kMap.markers()[0])));
+    std::sort(samples.begin(), samples.end(), InOrder{});
+    Robot together(GetParam(), params, kMap), singly(GetParam(), params, kMap);
+    EXPECT_TRUE(together.add_together(samples));
+    singly.add(samples);
+    EXPECT_EQ(together.state(), singly.state());
+    EXPECT_EQ(together.tally.verdicts().size(), singly.tally.verdicts().size());
+    for (const auto& [sample, verdict] : singly.tally.verdicts())
+        EXPECT_EQ(together.tally.of(sample), verdict);
+}
+
 TEST_P(LateSampleTest, MayTurnAVerdictRound) {
     Params params = plain_params();
     params.initial.sigma_position_m = 3;

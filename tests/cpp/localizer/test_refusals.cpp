@@ -38,6 +38,14 @@ Sample sighting_with(int component, double value, double sigma) {
     return sample;
 }
 
+TEST_P(RefusalTest, OfASensorThatThereIsNot) {
+    Sample stranger = sighting_with(0, 0.3, kNan);
+    for (const std::uint8_t source : {std::uint8_t{1}, std::uint8_t{255}}) {
+        stranger.source = source;
+        expect_refused(GetParam(), stranger, Verdict::bad_value);
+    }
+}
+
 TEST_P(RefusalTest, AnInfiniteValueIsBad) {
     for (int i = 0; i < 3; ++i)
         for (const double bad : {kInf, -kInf})

@@ -10,10 +10,12 @@ PILOTAGE_LOCALIZER_SUITE(StatusTest);
 
 const MarkerMap kMap({{1, 6, 2, 0.4, 0}, {2, 6, -2, 0, 0}});
 
-/// A robot that stands, told the time and shown a marker so many times.
-void stand(Robot& robot, std::int64_t utime, int shown = 0) {
-    for (; shown > 0; --shown)
-        robot.add(sighting_at(utime - shown, 1, view({0, 0, 0}, kMap.markers()[0])));
+/// A robot that stands, told the time and shown a marker so many times: the two by turns, or one.
+void stand(Robot& robot, std::int64_t utime, int shown = 0, bool by_turns = true) {
+    for (; shown > 0; --shown) {
+        const Marker& marker = kMap.markers()[by_turns ? shown % 2 : 0];
+        robot.add(sighting_at(utime - shown, marker.id, view({0, 0, 0}, marker)));
+    }
     robot.add(encoders_at(utime, 0, 0));
 }
 
@@ -47,6 +49,21 @@ TEST_P(StatusTest, IsNotOkBeforeSightingsInARowConfirmThePose) {
     EXPECT_EQ(robot.estimate().status, Status::ok);
 }
 
+TEST_P(StatusTest, IsConfirmedByTwoMarkersWhereTheMapHasThem) {
+    for (const bool has_two : {true, false}) {
+        Robot robot(GetParam(), plain_params(), has_two ? kMap : MarkerMap({kMap.markers()[0]}));
+        stand(robot, 0);
+        stand(robot, kSecond, 3 * kConfirming, false);
+        if (has_two) {
+            EXPECT_EQ(robot.estimate().status, Status::initializing);
+            EXPECT_EQ(robot.estimate().reason, Reason::one_marker);
+            EXPECT_EQ(robot.estimate().value, 3 * kConfirming);
+            stand(robot, 2 * kSecond, 1);  // the other one
+        }
+        EXPECT_EQ(robot.estimate().status, Status::ok) << has_two;
+    }
+}
+
 TEST_P(StatusTest, IsNotConfirmedByARejectedSighting) {
     Robot robot(GetParam(), plain_params(), kMap);
     stand(robot, 0);
@@ -78,7 +95,8 @@ TEST_P(StatusTest, IsOkOnlyWhereThe95PercentRadiusIsBelowTheAlertLimit) {
         params.status.alert_limit_m = 0.2 * 2.4477 * (below ? 1.01 : 0.99);
         Robot robot(GetParam(), params, kMap);
         stand(robot, 0);
-        for (int i = 1; i <= kConfirming; ++i) robot.add(sighting_at(i, 1, {0.3, kNan, kNan}));
+        for (int i = 1; i <= kConfirming; ++i)
+            robot.add(sighting_at(i, 1 + i % 2, {0.3, kNan, kNan}));
         stand(robot, kPeriod);
         EXPECT_EQ(robot.estimate().status, below ? Status::ok : Status::dead_reckoning);
     }
@@ -95,7 +113,7 @@ TEST_P(StatusTest, CountsTheLongAxisOfTheEllipse) {
     std::copy(std::begin(covariance), std::end(covariance), reset.payload.reset.covariance);
     robot.add(reset);
     for (int i = 0; i < kConfirming; ++i) {
-        Sample seen = sighting_at(2 + i, 1, {0.3, kNan, kNan});
+        Sample seen = sighting_at(2 + i, 1 + i % 2, {0.3, kNan, kNan});
         seen.payload.sighting.sigma[0] = 1e3;
         robot.add(seen);
     }

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <vector>
 
 namespace pilotage::test {
 namespace {
@@ -47,6 +49,18 @@ TEST(SubsetsTest, TheFirstTenTriplesOfTenShareNoMemberAllAlong) {
         });
         EXPECT_LE(with, 6) << member;
     }
+}
+
+/// As of searches ten times a second, by any clock: all of a map has its turn.
+TEST(SubsetsTest, TurnsInStepBeginEverywhere) {
+    for (const std::uint32_t count : {37U, 50U, 74U})
+        for (const std::uint64_t step : {1U, 100U, 100'000U}) {
+            std::vector<int> begun(count);
+            for (std::uint64_t i = 0; i < 40 * count; ++i)
+                ++begun[one_of(count, scattered(1'700'000'000'000'000 + step * i))];
+            EXPECT_GT(*std::min_element(begun.begin(), begun.end()), 10);
+            EXPECT_LT(*std::max_element(begun.begin(), begun.end()), 100);
+        }
 }
 
 }  // namespace

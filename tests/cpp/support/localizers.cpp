@@ -60,6 +60,12 @@ void Robot::add(const std::vector<Sample>& samples) {
     for (const Sample& sample : samples) add(sample);
 }
 
+bool Robot::add_together(const std::vector<Sample>& samples) {
+    added_ += static_cast<int>(samples.size());
+    return std::visit(
+        [&](auto& localizer) { return localizer.add(samples.data(), samples.size()); }, localizer_);
+}
+
 void Robot::finish() {
     std::visit([](auto& localizer) { localizer.finish(); }, localizer_);
 }

@@ -58,6 +58,8 @@ class Robot {
 
     bool add(const Sample& sample);
     void add(const std::vector<Sample>& samples);
+    /// As of one message.
+    bool add_together(const std::vector<Sample>& samples);
     void finish();
     void set_time(std::int64_t utime);
     [[nodiscard]] Checkpoint checkpoint() const;

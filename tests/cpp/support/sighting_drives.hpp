@@ -95,7 +95,7 @@ class SightingDrive {
         std::vector<Evidence> frame;
         for (const Marker* marker : seen) frame.push_back(sighting_of(*marker));
         evidence_.insert(evidence_.begin(), frame.begin(), frame.end());
-        evidence_.resize(std::min(evidence_.size(), std::size_t{PoseSearch::kMostEvidence}));
+        evidence_.resize(std::min(evidence_.size(), std::size_t{Evidence::kMost}));
         return static_cast<int>(frame.size());
     }
 
@@ -137,7 +137,8 @@ class SightingDrive {
 /// Within half a metre and 9 degrees, or within the stated covariance (chi-square of 3, 0.01 %).
 [[nodiscard]] inline bool right(const Hypothesis& h, const Pose<double>& truth) {
     const Pose<double> off = minus(truth, h.pose);
-    return (off.head<2>().norm() < 0.5 && std::abs(off[kHeading]) < 0.15) || same(h, truth, 21.1);
+    return (off.head<2>().norm() < 0.5 && std::abs(off[kHeading]) < 0.15) ||
+           same(truth, h.pose, h.covariance, 21.1);
 }
 
 }  // namespace pilotage::test

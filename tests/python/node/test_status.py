@@ -27,8 +27,7 @@ def test_the_exit_status_tells_waiting_from_well(tmp_path: Path):
         assert "WAITING since" in waiting.stdout
         assert "for encoders_t on ENCODERS" in waiting.stdout
         running.drive(20)
-        for i in range(3):
-            seen = (1, 0.17, 2.9 - 0.01 * i)
+        for i, seen in enumerate([(1, 0.17, 2.94), (2, -0.81, 2.75), (1, 0.17, 2.92)]):
             running.send("MARKERS", frame(1_100_000 + 10_000 * i, i, seen, (9, 0.0, 1.0)))
         with _driving(running, first=20):
             running.wait(lambda: running.messages["STATUS"][-1].state == status_t.OK, "OK")

@@ -9,14 +9,12 @@
 
 #include "pilotage/filter/ekf.hpp"
 #include "pilotage/held_sighting.hpp"
+#include "pilotage/sensing/stray.hpp"
 
 namespace pilotage {
 
-/// Log density of what is seen of no marker of the map (a reflection, another robot), by component:
-/// any bearing (1 / 2 pi rad), any elevation (1 / pi rad), any range up to 10 m (0.1 / m). A
-/// pairing has to be likelier than this.
-inline constexpr double kLogStrayDensity[] = {-1.8378770664093453, -1.1447298858494002,
-                                              -2.3025850929940455};
+/// How far strays are seen [m]. A pairing has to be likelier than one.
+inline constexpr double kStrayReach_m = 10;
 
 /// A deviation (x [m], y [m], heading [rad]) from the pose before the frame, with its covariance.
 template <typename Scalar>
@@ -88,7 +86,8 @@ template <typename Scalar>
     each<3>([&](int i) {
         if (!measured(i)) return;
         ++pairing.dof;
-        pairing.stray += Scalar(kLogStrayDensity[i] + half_log_two_pi);
+        pairing.stray +=
+            Scalar(std::log(stray_density(ComponentIndex(i), kStrayReach_m)) + half_log_two_pi);
         pairing.innovation[i] = held.innovation[i];
         each<3>([&](int j) {
             pairing.jacobian(i, j) = held.jacobian(i, j);

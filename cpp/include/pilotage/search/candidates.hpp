@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "pilotage/state.hpp"
+#include "pilotage/search/sameness.hpp"
 
 namespace pilotage {
 
@@ -36,7 +36,7 @@ class Candidates {
     void add(const Candidate& candidate) noexcept {
         int hole = 0;
         for (; hole < count_; ++hole)
-            if (neighbours(list_[hole].pose, candidate.pose)) break;
+            if (next_to(list_[hole].pose, candidate.pose)) break;
         if (hole < count_) {
             if (list_[hole].score >= candidate.score) return;
         } else if (count_ < Capacity) {
@@ -50,14 +50,6 @@ class Candidates {
     }
 
    private:
-    /// So near that they lead to the same pose.
-    [[nodiscard]] static bool neighbours(const Pose<double>& a, const Pose<double>& b) noexcept {
-        constexpr double position_m = 0.2, heading_rad = 0.1;
-        const Pose<double> apart = minus(a, b);
-        return std::abs(apart[kX]) < position_m && std::abs(apart[kY]) < position_m &&
-               std::abs(apart[kHeading]) < heading_rad;
-    }
-
     Candidate list_[Capacity];
     int count_ = 0;
 };

@@ -41,7 +41,8 @@ struct Clue {
     if (view.has(kRange)) {
         clue.distance_m = std::sqrt(std::max(0.0, view.slant_m * view.slant_m - dz * dz));
         const double scale = view.sensor->range_scale;
-        variance = view.variance[kRange] / (scale * scale);
+        const double by_slant = view.slant_m / clue.distance_m;
+        variance = view.variance[kRange] / (scale * scale) * by_slant * by_slant;
         clue.has_distance = clue.distance_m >= view.sensor->min_distance_m;
     } else if (view.has(kElevation)) {
         const double d = dz / view.slope;

@@ -2,20 +2,24 @@
 /// \file
 /// A sighting as the search for a pose gets it, and as it sees it: from the robot as it stands now.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include "pilotage/fuse_sighting.hpp"
+#include "pilotage/held_sighting.hpp"
 #include "pilotage/marker_map.hpp"
 #include "pilotage/params.hpp"
 #include "pilotage/samples.hpp"
 #include "pilotage/search/frame.hpp"
 #include "pilotage/search/site.hpp"
+#include "pilotage/sensing/stray.hpp"
 
 namespace pilotage {
 
 /// A sighting, and where dead reckoning says that it was made.
 struct Evidence {
+    static constexpr int kMost = 32;  ///< that a search takes
+
     Pose<double> body;  ///< of the robot at the sighting, in an odometry frame
     /// Variances that odometry has gathered since its frame began [m^2, each axis] and [rad^2]:
     /// what they grew by since a sighting tells how unsure the way from there to here is.
@@ -65,22 +69,27 @@ struct View {
     view.sensor = &sensor;
     view.marker = sighting.id < 0 ? nullptr : map.find(sighting.id);
     view.label = map.wanted_label(sighting.label);
-    int candidates = 0;
-    for (const Marker& marker : map.markers()) candidates += view.may_be_of(marker);
-    if (candidates == 0 || (sighting.id >= 0 && view.marker == nullptr)) return view;
+    if (sighting.id >= 0 && view.marker == nullptr) return view;
+    const auto& markers = map.markers();
+    const auto may_be_of = [&](const Marker& marker) { return view.may_be_of(marker); };
+    const auto candidates = view.marker != nullptr ? 1
+                            : view.label < 0
+                                ? static_cast<long>(markers.size())
+                                : std::count_if(markers.begin(), markers.end(), may_be_of);
+    if (candidates == 0) return view;
     view.measured = measured_components(sighting);
     view.place = Frame(relative).out_of({sensor.x_m, sensor.y_m, sensor.yaw_rad});
-    view.place_m2 = drift_m2;
+    // A heading that drifted evenly on the way leaves a third of its variance aside, by distance.
+    view.place_m2 = drift_m2 + drift_rad2 * relative.head<2>().squaredNorm() / 3;
     view.place_rad2 = drift_rad2;
-    const double width[] = {2 * kPi<double>, kPi<double>, site.reach_m};
     view.clutter = kClutter;
     each<3>([&](int c) {
         const auto component = static_cast<ComponentIndex>(c);
         if (!view.has(component)) return;
         view.variance[c] = sensor_variance(sighting, component, sensor, sighting.value[c]);
-        view.clutter /= width[c];
+        view.clutter *= stray_density(component, site.reach_m);
     });
-    view.share = (1 - kClutter) / candidates;
+    view.share = (1 - kClutter) / static_cast<double>(candidates);
     view.log_likelihood = view.log_clutter = std::log(view.clutter);
     view.slant_m = (sighting.value[kRange] - sensor.range_offset_m) / sensor.range_scale;
     if (view.has(kElevation)) view.slope = std::tan(sighting.value[kElevation]);

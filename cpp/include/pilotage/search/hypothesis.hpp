@@ -1,10 +1,8 @@
 #pragma once
 /// \file
-/// A pose that explains what was seen, and how well it does.
+/// Poses that explain what was seen, and how well they do.
 
-#include <cstdint>
-
-#include "pilotage/filter/ldlt.hpp"
+#include "pilotage/marker_set.hpp"
 #include "pilotage/state.hpp"
 
 namespace pilotage {
@@ -12,6 +10,9 @@ namespace pilotage {
 struct Hypothesis {
     Pose<double> pose{0, 0, 0};    ///< of the robot now, in frame map
     Matrix<double, 3> covariance;  ///< inverse Hessian of the robust fit
+    /// Variances (x, y, heading) that come with what went wrong on the way of all older sightings.
+    /// They are of the pose that is taken; whether two explanations are the same is told without.
+    Pose<double> drift{0, 0, 0};
     /// Logarithm of the probability density of all that was seen if the robot is somewhere here:
     /// Laplace's approximation, the log-likelihoods' sum + 0.5 log det(2 pi covariance) -
     /// log(volume of all poses).
@@ -20,23 +21,24 @@ struct Hypothesis {
     /// clutter, where none is given), for the number of sightings that makes the most of it: how
     /// much better this explains what was seen of late.
     double gain = 0;
-    int explained = 0;          ///< that number
-    int sightings = 0;          ///< of these, not clutter
-    std::uint64_t markers = 0;  ///< that these are of; bit: place in the map, modulo 64
+    int explained = 0;  ///< that number
+    int sightings = 0;  ///< of these, not clutter
+    MarkerSet markers;  ///< that these are of
     static constexpr int kLatest = 6;
     int clutter = 0;  ///< of the newest kLatest sightings, that it does not explain
-
-    [[nodiscard]] int distinct_markers() const noexcept {
-        int n = 0;
-        for (std::uint64_t bits = markers; bits != 0; bits &= bits - 1) ++n;
-        return n;
-    }
 };
 
-/// Whether two poses are one as far as the first one's covariance can tell.
-[[nodiscard]] inline bool same(const Hypothesis& a, const Pose<double>& pose,
-                               double squared_sigmas) noexcept {
-    return Ldlt<double, 3>(a.covariance).squared_norm(minus(pose, a.pose)) < squared_sigmas;
-}
+/// What a search found, best gain first.
+struct Hypotheses {
+    static constexpr int kMost = 8;
+
+    const Hypothesis* first = nullptr;
+    int count = 0;
+    bool whole = true;  ///< else part of the map was not looked at
+
+    [[nodiscard]] const Hypothesis* begin() const noexcept { return first; }
+    [[nodiscard]] const Hypothesis* end() const noexcept { return first + count; }
+    [[nodiscard]] const Hypothesis& operator[](int i) const noexcept { return first[i]; }
+};
 
 }  // namespace pilotage

@@ -1,16 +1,19 @@
 #pragma once
 /// \file
 /// The latest sightings that have left the history: a search looks farther back than corrections
-/// can come.
+/// can come. It looks at no more sightings than the memory holds: so what it finds does not depend
+/// on where the history ends, which is a matter of arrival.
 
 #include <cstdint>
 
-#include "pilotage/search/pose_search.hpp"
+#include "pilotage/search/evidence.hpp"
 
 namespace pilotage {
 
 class Memory {
    public:
+    static constexpr int kCapacity = 128;
+
     struct Item {
         std::int64_t utime;
         Evidence evidence;
@@ -28,8 +31,6 @@ class Memory {
     }
 
    private:
-    static constexpr int kCapacity = PoseSearch::kMostEvidence;
-
     Item items_[kCapacity];
     int next_ = 0, size_ = 0;
 };

@@ -23,11 +23,27 @@ template <int K>
     Subset<K> result{};
     int number = 0;
     for (int k = 0; k < K; ++k, ++number) {
-        for (int rest; index >= (rest = binomial(n - number - 1, K - k - 1)); ++number)
+        for (int rest = 0; index >= (rest = binomial(n - number - 1, K - k - 1)); ++number)
             index -= rest;
         result[static_cast<std::size_t>(k)] = number;
     }
     return result;
+}
+
+/// Numbers that are next to each other or in step become such as have nothing to do with each
+/// other: the last steps of SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number
+/// generators", OOPSLA 2014).
+[[nodiscard]] constexpr std::uint32_t scattered(std::uint64_t n) noexcept {
+    n += 0x9e3779b97f4a7c15;
+    n = (n ^ n >> 30) * 0xbf58476d1ce4e5b9;
+    n = (n ^ n >> 27) * 0x94d049bb133111eb;
+    return static_cast<std::uint32_t>(n >> 32);
+}
+
+/// One of `count` numbers from 0 on, each as often as the others over many `scattered`.
+[[nodiscard]] constexpr std::uint32_t one_of(std::uint32_t count,
+                                             std::uint32_t scattered) noexcept {
+    return static_cast<std::uint32_t>(std::uint64_t{scattered} * count >> 32);
 }
 
 /// A prime that divides no binomial(n, 2) or binomial(n, 3) of an n below it.
