@@ -6,6 +6,7 @@ PYBIND11_MODULE(_core, m) {
     m.attr("__version__") = PILOTAGE_VERSION;
     bind_errors(m);
     bind_marker_map(m);
+    bind_camera_model(m);
     bind_wall_map(m);
     bind_config(m);
     bind_recording(m);

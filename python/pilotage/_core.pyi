@@ -6,7 +6,7 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['ArcUnicycle', 'ArcVelocity', 'CalibratedArc', 'Config', 'ConfigError', 'ConstantVelocity', 'DifferentialDrive', 'EchoEnvelope', 'Ekf3', 'Ekf5', 'Ekf6', 'Engine', 'EulerVelocity', 'GyroDrive', 'HeadingFix', 'LinearKalman', 'LinearizedVelocity', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'MidpointVelocity', 'MoveAndTurn', 'PlanarVelocity', 'Policy', 'PoseFix', 'PositionFix', 'Recording', 'RelativePosition', 'Run', 'SkidSteer', 'Speed', 'Ukf3', 'Ukf4', 'Ukf5', 'Ukf6', 'Unscented', 'UpdateReport', 'WallMap', 'WallRange', 'WheelTravel', 'WorldBearing', 'YawRate', 'load_config', 'read_checkpoint', 'read_table', 'relative_position_noise', 'replay', 'unscented_transform']
+__all__: list[str] = ['ArcUnicycle', 'ArcVelocity', 'CalibratedArc', 'CameraModel', 'Config', 'ConfigError', 'ConstantVelocity', 'DifferentialDrive', 'EchoEnvelope', 'Ekf3', 'Ekf5', 'Ekf6', 'Engine', 'EulerVelocity', 'GyroDrive', 'HeadingFix', 'LinearKalman', 'LinearizedVelocity', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'MidpointVelocity', 'MoveAndTurn', 'PlanarVelocity', 'Policy', 'PoseFix', 'PositionFix', 'Recording', 'RelativePosition', 'Run', 'SkidSteer', 'Speed', 'Ukf3', 'Ukf4', 'Ukf5', 'Ukf6', 'Unscented', 'UpdateReport', 'WallMap', 'WallRange', 'WheelTravel', 'WorldBearing', 'YawRate', 'associate_pixels', 'load_config', 'read_checkpoint', 'read_table', 'relative_position_noise', 'replay', 'unscented_transform']
 class ConfigError(ValueError):
     """
     A configuration or map that cannot be used; names file, line, key, value and what was expected.
@@ -61,6 +61,78 @@ class MarkerMap:
     def sigmas(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         (n,) float [m]
+        """
+class CameraModel:
+    """
+    A camera on the robot: from points to pixels and back.
+    
+    OpenCV's pinhole with its radial and tangential distortion. Pixel (0, 0) is the centre of the top
+    left one, u to the right, v down. The level sensor frame has its origin at the sensor, x along its
+    forward axis (the mounting's yaw) in the horizontal plane, y left and z up.
+    """
+    def __init__(self, size: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], "FixedSize(2)"], matrix: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], "FixedSize(4)"], distortion: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] = [], roll_rad: typing.SupportsFloat | typing.SupportsIndex = 0.0, pitch_rad: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        Parameters
+        ----------
+        size : (width, height) of the image [px]
+        matrix : (fx, fy, cx, cy) [px]
+        distortion : none, 4 (k1 k2 p1 p2), 5 (and k3) or 8 (and k4 k5 k6) numbers
+        roll_rad, pitch_rad : of the camera body in the level sensor frame, R = Ry(pitch) Rx(roll): positive
+            pitch looks down, positive roll lowers the right side
+        
+        Raises
+        ------
+        ValueError
+            Naming what is not finite, not positive, or of the wrong length.
+        """
+    def __repr__(self) -> str:
+        ...
+    def angle_covariance(self, pixels: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], covariance: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Covariance (n, 2, 2) of the angles [rad^2] from that of the pixels (n, 2, 2) [px^2], to first order.
+        """
+    def angles(self, pixels: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (n, 2): azimuth, left positive, and elevation, up positive [rad], of what is seen at pixels (n, 2): bearing and elevation of a sighting. NaN where no point is seen.
+        """
+    def project(self, points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Pixels (n, 2) of points (n, 3) in the level sensor frame [m]; NaN behind the camera and beyond where the distortion is one-to-one. They may lie outside the image.
+        """
+    def rays(self, pixels: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Unit vectors (n, 3) in the level sensor frame towards what is seen at pixels (n, 2); NaN where no point is seen.
+        """
+    @property
+    def distortion(self) -> typing.Annotated[list[float], "FixedSize(8)"]:
+        """
+        k1 k2 p1 p2 k3 k4 k5 k6
+        """
+    @property
+    def matrix(self) -> tuple[float, float, float, float]:
+        """
+        (fx, fy, cx, cy) [px]
+        """
+    @property
+    def pitch_rad(self) -> float:
+        ...
+    @property
+    def roll_rad(self) -> float:
+        ...
+    @property
+    def rotation(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]:
+        """
+        (3, 3), from OpenCV's camera frame (x right, y down, z forward) to the level sensor frame
+        """
+    @property
+    def size(self) -> tuple[int, int]:
+        """
+        (width, height) [px]
+        """
+    @property
+    def widest_rad(self) -> float:
+        """
+        Angle from the optical axis within which the distortion is one-to-one.
         """
 class WallMap:
     """
@@ -141,6 +213,10 @@ class Config:
         """
         Raises KeyError naming the nearest known key, ConfigError for an impossible value.
         """
+    def camera(self, sensor: str) -> CameraModel | None:
+        """
+        The CameraModel of a sensor by its name, None if it has no intrinsics; KeyError if there is no such sensor.
+        """
     def check(self) -> None:
         """
         Raises ConfigError if the parts do not fit together.
@@ -149,10 +225,22 @@ class Config:
         """
         (key, value, meaning) of every key.
         """
+    def set_camera(self, sensor: str, camera: CameraModel) -> None:
+        """
+        Gives a sensor a camera, with its roll and pitch; KeyError if there is no such sensor.
+        """
     def to_yaml(self) -> str:
         """
         Every key with its value, and the map.
         """
+    @property
+    def detectors(self) -> dict[str, typing.Any]:
+        """
+        The section of that name as it stands, by sensor; empty where there is none. The node passes over it.
+        """
+    @detectors.setter
+    def detectors(self, arg1: dict[str, typing.Any]) -> None:
+        ...
     @property
     def map(self) -> MarkerMap:
         """
@@ -165,6 +253,11 @@ class Config:
     def marker_sensors(self) -> list[str]:
         """
         Names of those that measure markers.
+        """
+    @property
+    def pixel_sensors(self) -> list[str]:
+        """
+        Names of those that measure pixels.
         """
     @property
     def sensors(self) -> list[str]:
@@ -1338,6 +1431,26 @@ class Localizer:
         -------
         Structured array like `Run.poses`, one row a motion sample.
         """
+def associate_pixels(camera: CameraModel, mounting: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[4, 1]"], pose: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], map: MarkerMap, pixels: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], radius_pixel: typing.SupportsFloat | typing.SupportsIndex, labels: typing.Annotated[numpy.typing.ArrayLike, numpy.int32] | None = None) -> numpy.typing.NDArray[numpy.int32]:
+    """
+    Which markers pixels are of: the one projected nearest, within a radius.
+    
+    Section 2 of Kiriy and Buehler 2002, where the radius is 64. Of two pixels at one marker the nearer has it.
+    
+    Parameters
+    ----------
+    camera : CameraModel
+    mounting : (4,) float, the sensor's x, y, z [m] and yaw [rad] in the robot frame
+    pose : (3,) float, x, y [m] and heading [rad] of the robot in frame map
+    map : MarkerMap
+    pixels : (n, 2) float
+    radius_pixel : below which a projection is near
+    labels : (n,) int, class of look-alike markers, -1 any
+    
+    Returns
+    -------
+    (n,) int32, ids of markers, -1 where there is none
+    """
 def load_config(path: str) -> Config:
     """
     Reads a configuration file and the map that it names; raises ConfigError naming file and line.
