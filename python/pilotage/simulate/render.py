@@ -1,0 +1,134 @@
+"""What a camera on a robot would see of a rendered world."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from .appearance import Body, Disc
+from .lens import Box, Lens, Optics, mean_of_parts
+from .surroundings import PLACES, Surroundings
+
+PARTS = (4, 32)
+"""Into how many parts a side a pixel is divided where a body ends: at least, and at most."""
+RAYS = 100_000
+"""To a body, between these limits."""
+LEVEL = (0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class World:
+    """Bodies in their surroundings."""
+
+    bodies: Sequence[Body] = ()
+    surroundings: Surroundings = PLACES["lawn"]
+
+
+class Renderer:
+    """Draws a world as one camera of a robot sees it, every part of every pixel by its own ray.
+
+    Parameters
+    ----------
+    optics : CameraModel
+        Its size, lens, roll and pitch.
+    mounting : (4,) float
+        x, y, z [m] and yaw [rad] of the camera in the robot.
+    """
+
+    def __init__(
+        self, optics: Optics, mounting: tuple[float, float, float, float], world: World
+    ) -> None:
+        self.lens, self.mounting, self.world = Lens(optics), mounting, world
+
+    def draw(
+        self, pose: NDArray[np.float64], tilt: tuple[float, float] = LEVEL
+    ) -> NDArray[np.float32]:
+        """Draw without blur and noise.
+
+        Parameters
+        ----------
+        pose : (3,) float
+            x, y [m], heading [rad] of the robot in frame map.
+        tilt : (2,) float, rad
+            Pitch (nose down) and roll (right side down) of the body; the camera stays in its place.
+
+        Returns
+        -------
+        (h, w, 3) float32
+            Blue, green, red, 0 to 255. (0, 0) is the centre of the top left pixel, and a pixel is
+            the mean over its area.
+        """
+        eye, rotation = self.sight(pose, tilt)
+        rays = cv2.transform(self.lens.central, rotation)
+        picture = self.world.surroundings.behind(eye, rays)
+        for body in sorted(self.world.bodies, key=lambda body: _order(body, eye)):
+            box = self.lens.box((body.outline() - eye) @ rotation)
+            if box is not None:
+                self._add(picture, body, eye, rotation, self._narrowed(box, body, eye, rotation))
+        return picture
+
+    def sight(
+        self, pose: NDArray[np.float64], tilt: tuple[float, float] = LEVEL
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Where the camera is, (3,) m, and the rotation (3, 3) from its level frame to frame map."""
+        x, y, heading = pose
+        ahead, aside, up, yaw = self.mounting
+        body = _about_z(heading)
+        eye = np.array([x, y, 0.0]) + body @ (ahead, aside, up)
+        return eye, body @ _tilted(*tilt) @ _about_z(yaw)
+
+    def _add(
+        self,
+        picture: NDArray[np.float32],
+        body: Body,
+        eye: NDArray[np.float64],
+        rotation: NDArray[np.float64],
+        box: Box | None,
+    ) -> None:
+        if box is None:
+            return
+        left, top, right, bottom = box
+        n = int(np.clip(np.sqrt(RAYS / ((right - left) * (bottom - top))), *PARTS))
+        hit, bright = body.meet(eye, cv2.transform(self.lens.parts(box, n), rotation))
+        share = hit.astype(np.float32)
+        light = mean_of_parts(share if bright is None else share * bright, n)
+        part = picture[top:bottom, left:right]
+        part *= 1.0 - mean_of_parts(share, n)[..., None]
+        part += light[..., None] * np.array(body.colour, np.float32)
+
+    def _narrowed(
+        self, box: Box, body: Body, eye: NDArray[np.float64], rotation: NDArray[np.float64]
+    ) -> Box | None:
+        """Return what of a box that is the whole picture has the body, by its pixels' centres."""
+        if box != (0, 0, self.lens.width, self.lens.height):
+            return box
+        hit, _ = body.meet(eye, cv2.transform(self.lens.central, rotation))
+        rows, columns = np.flatnonzero(hit.any(axis=1)), np.flatnonzero(hit.any(axis=0))
+        if len(rows) == 0:
+            return None
+        return (
+            max(int(columns[0]) - 2, 0),
+            max(int(rows[0]) - 2, 0),
+            min(int(columns[-1]) + 3, self.lens.width),
+            min(int(rows[-1]) + 3, self.lens.height),
+        )
+
+
+def _order(body: Body, eye: NDArray[np.float64]) -> tuple[bool, float]:
+    """What lies on the ground first, then from far to near."""
+    flat = isinstance(body, Disc) and body.position[2] <= 0.0
+    return not flat, -float(np.hypot(*(body.centre - eye)[:2]))
+
+
+def _about_z(angle: float) -> NDArray[np.float64]:
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def _tilted(pitch: float, roll: float) -> NDArray[np.float64]:
+    (cp, sp), (cr, sr) = ((np.cos(angle), np.sin(angle)) for angle in (pitch, roll))
+    about_y = np.array([[cp, 0.0, sp], [0.0, 1.0, 0.0], [-sp, 0.0, cp]])
+    about_x = np.array([[1.0, 0.0, 0.0], [0.0, cr, -sr], [0.0, sr, cr]])
+    return np.asarray(about_y @ about_x)
