@@ -12,8 +12,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-Colour = tuple[float, float, float]
-"""Blue, green, red, 0 to 255."""
+from .paints import PAINTS, Colour
+
 Array = NDArray[np.float64]
 Rays = NDArray[np.float32]
 Met = tuple[NDArray[np.bool_], Rays | None]
@@ -53,7 +53,7 @@ class Disc:
     position: tuple[float, float, float]
     """Of its centre."""
     radius_m: float = 0.2
-    colour: Colour = (40.0, 35.0, 205.0)
+    colour: Colour = PAINTS["red"]
 
     @property
     def centre(self) -> Array:
@@ -80,7 +80,7 @@ class Pole:
     foot: tuple[float, float, float]
     height_m: float = 1.0
     radius_m: float = 0.1
-    colour: Colour = (40.0, 35.0, 205.0)
+    colour: Colour = PAINTS["red"]
 
     @property
     def centre(self) -> Array:
@@ -126,8 +126,8 @@ class Tag:
     yaw_rad: float
     """Direction to which its face looks."""
     id: int
-    dictionary: str = "4X4_50"
-    """As in `cv2.aruco.DICT_...`: 4X4_50, APRILTAG_36h11."""
+    dictionary: str = "4x4_50"
+    """Of `cv2.aruco`: 4x4_50, apriltag_36h11, ..."""
     size_m: float = 0.2
     """Edge of the black square."""
     roll_rad: float = 0.0
@@ -147,13 +147,12 @@ class Tag:
     @cached_property
     def cells(self) -> Rays:
         """(m, m) brightness of its cells with one white one around, top left first."""
-        known = getattr(cv2.aruco, f"DICT_{self.dictionary}", None)
-        if known is None:
-            raise ValueError(
-                f"dictionary is {self.dictionary}, expected one of cv2.aruco, as 4X4_50 or "
-                "APRILTAG_36h11"
-            )
-        dictionary = cv2.aruco.getPredefinedDictionary(known)
+        known = {name.lower(): getattr(cv2.aruco, name) for name in dir(cv2.aruco)}
+        number = known.get(f"dict_{self.dictionary.lower()}")
+        if number is None:
+            names = sorted(name[5:] for name in known if name.startswith("dict_"))
+            raise ValueError(f"dictionary is {self.dictionary}, expected one of {', '.join(names)}")
+        dictionary = cv2.aruco.getPredefinedDictionary(number)
         count = len(dictionary.bytesList)
         if not 0 <= self.id < count:
             raise ValueError(f"id is {self.id}, expected 0 to {count - 1} in {self.dictionary}")

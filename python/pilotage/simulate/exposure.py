@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -34,6 +33,8 @@ class Exposure:
         """(h, w, 3) uint8 of light (h, w, 3), blue, green, red, 0 to 255."""
         picture = light
         if self.blur_px > 0.0:
+            import cv2
+
             picture = cv2.GaussianBlur(picture, (0, 0), self.blur_px)
         if self.gain != 1.0:
             picture = picture * np.float32(self.gain)

@@ -41,7 +41,11 @@ class Lens:
         )
         pixels = np.column_stack([columns.ravel(), rows.ravel()]).astype(np.float64)
         self._rays = optics.rays(pixels).reshape(*columns.shape, 3).astype(np.float32)
-        self.central = np.ascontiguousarray(self._rays[MARGIN:-MARGIN, MARGIN:-MARGIN])
+        central = self._rays[MARGIN:-MARGIN, MARGIN:-MARGIN].copy()
+        self.blind = ~np.isfinite(central).all(axis=2)
+        """(h, w) whether a pixel's centre sees nothing: the lens ends before."""
+        central[self.blind] = (0.0, 0.0, 1.0)
+        self.central = central
         """(h, w, 3) float32, of the pixels' centres."""
 
     def parts(self, box: Box, n: int) -> NDArray[np.float32]:

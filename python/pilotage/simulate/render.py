@@ -7,15 +7,15 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from .appearance import Body, Disc
+from .appearance import Body, Disc, Tag
 from .lens import Box, Lens, Optics, mean_of_parts
 from .surroundings import PLACES, Surroundings
+from .view import LEVEL, sight
 
 PARTS = (4, 32)
 """Into how many parts a side a pixel is divided where a body ends: at least, and at most."""
 RAYS = 100_000
 """To a body, between these limits."""
-LEVEL = (0.0, 0.0)
 
 
 @dataclass(frozen=True)
@@ -24,6 +24,18 @@ class World:
 
     bodies: Sequence[Body] = ()
     surroundings: Surroundings = PLACES["lawn"]
+
+    def shows(self, index: int, eye: NDArray[np.float64]) -> bool:
+        """Tell whether from an eye (3,) nothing is before the middle of a body, nor its own back."""
+        body = self.bodies[index]
+        way = body.centre - eye
+        if isinstance(body, Tag) and way @ body.rotation[:, 2] >= 0.0:
+            return False
+        ray = way.astype(np.float32)[None, None]
+        near = _order(body, eye)
+        return not any(
+            _order(other, eye) > near and other.meet(eye, ray)[0].any() for other in self.bodies
+        )
 
 
 class Renderer:
@@ -67,17 +79,14 @@ class Renderer:
             box = self.lens.box((body.outline() - eye) @ rotation)
             if box is not None:
                 self._add(picture, body, eye, rotation, self._narrowed(box, body, eye, rotation))
+        picture[self.lens.blind] = 0.0
         return picture
 
     def sight(
         self, pose: NDArray[np.float64], tilt: tuple[float, float] = LEVEL
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Where the camera is, (3,) m, and the rotation (3, 3) from its level frame to frame map."""
-        x, y, heading = pose
-        ahead, aside, up, yaw = self.mounting
-        body = _about_z(heading)
-        eye = np.array([x, y, 0.0]) + body @ (ahead, aside, up)
-        return eye, body @ _tilted(*tilt) @ _about_z(yaw)
+        return sight(self.mounting, pose, tilt)
 
     def _add(
         self,
@@ -120,15 +129,3 @@ def _order(body: Body, eye: NDArray[np.float64]) -> tuple[bool, float]:
     """What lies on the ground first, then from far to near."""
     flat = isinstance(body, Disc) and body.position[2] <= 0.0
     return not flat, -float(np.hypot(*(body.centre - eye)[:2]))
-
-
-def _about_z(angle: float) -> NDArray[np.float64]:
-    c, s = np.cos(angle), np.sin(angle)
-    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-
-
-def _tilted(pitch: float, roll: float) -> NDArray[np.float64]:
-    (cp, sp), (cr, sr) = ((np.cos(angle), np.sin(angle)) for angle in (pitch, roll))
-    about_y = np.array([[cp, 0.0, sp], [0.0, 1.0, 0.0], [-sp, 0.0, cp]])
-    about_x = np.array([[1.0, 0.0, 0.0], [0.0, cr, -sr], [0.0, sr, cr]])
-    return np.asarray(about_y @ about_x)

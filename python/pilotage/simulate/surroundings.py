@@ -3,11 +3,10 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from .appearance import Colour
+from .paints import Colour
 
 Image = NDArray[np.float32]
 SEED = 20020211
@@ -17,6 +16,10 @@ TILE = 1024
 LEVEL = 1e-4
 """Of a ray that falls less, the ground is out of sight."""
 AZIMUTHS = 2048
+LINE_M = 0.05
+LINES: Colour = (225.0, 228.0, 228.0)
+BOARDS: Colour = (172.0, 196.0, 208.0)
+PANELS, SEAM_M = 16, 0.004
 
 
 @dataclass(frozen=True)
@@ -42,6 +45,10 @@ class Surroundings:
     """One pixel of the coarse pattern."""
     haze_m: float = 150.0
     """Over so far, the ground fades into what stands far away."""
+    boards: tuple[float, float] | None = None
+    """Radius about the origin and height [m] of boards round an arena, drawn from inside."""
+    lines: tuple[float, float] | None = None
+    """Half the length along x and y [m] of a rectangle of white lines about the origin."""
 
     @cached_property
     def _patterns(self) -> tuple[Image, Image]:
@@ -56,6 +63,8 @@ class Surroundings:
 
     def behind(self, eye: NDArray[np.float64], rays: Image) -> Image:
         """(h, w, 3) float32 colours where rays (h, w, 3) from an eye (3,) meet nothing else."""
+        import cv2
+
         x, y, z = cv2.split(rays)
         down = z < -LEVEL
         way = np.float32(-eye[2]) / np.where(down, z, np.float32(-LEVEL))
@@ -75,8 +84,16 @@ class Surroundings:
             shade += seen / (1.0 + np.square(width * np.float32(1.0 / cell)))
         near = np.exp(way * np.float32(-1.0 / self.haze_m))[..., None]
         bright = (1.0 + shade * np.float32(1.0 / 255.0))[..., None]
-        picture = near * (bright * _row(self.ground)) + (1.0 - near) * _row(self.skyline)
+        ground = bright * _row(self.ground)
+        if self.lines is not None:
+            off = [np.abs(axis) - half for axis, half in zip(place, self.lines, strict=True)]
+            inside = LINE_M / 2 - np.abs(np.maximum(*off))
+            line = np.clip(inside / width + 0.5, 0.0, np.minimum(1.0, LINE_M / width))[..., None]
+            ground += line * (_row(LINES) - ground)
+        picture = near * ground + (1.0 - near) * _row(self.skyline)
         self._above(picture, rays, ~down)
+        if self.boards is not None:
+            _surround(picture, eye, rays, *self.boards)
         return np.asarray(picture, np.float32)
 
     def _above(self, picture: Image, rays: Image, up: NDArray[np.bool_]) -> None:
@@ -89,6 +106,26 @@ class Surroundings:
         high = np.sqrt(np.clip(z, 0.0, 1.0))[:, None]
         sky = (1.0 - high) * _row(self.horizon) + high * _row(self.zenith)
         picture[up] = far * _row(self.skyline) + (1.0 - far) * sky
+
+
+def _surround(
+    picture: Image, eye: NDArray[np.float64], rays: Image, radius: float, height: float
+) -> None:
+    """Draw boards."""
+    inside = radius**2 - float(eye[:2] @ eye[:2])
+    if inside <= 0.0:
+        return
+    x, y, z = np.moveaxis(rays, -1, 0)
+    flat = np.maximum(x * x + y * y, np.float32(1e-9))
+    along = x * np.float32(eye[0]) + y * np.float32(eye[1])
+    way = (np.sqrt(along * along + flat * np.float32(inside)) - along) / flat
+    up, pixel = np.float32(eye[2]) + way * z, way * np.float32(_pixel_rad(rays))
+    share = np.clip(np.minimum(up, height - up) / pixel + 0.5, 0.0, 1.0)
+    panels = np.arctan2(eye[1] + way * y, eye[0] + way * x) * np.float32(PANELS / (2 * np.pi))
+    seam = np.abs(panels - np.rint(panels)) * np.float32(2 * np.pi * radius / PANELS)
+    dark = 1.0 - 0.35 * np.clip((SEAM_M - seam) / pixel + 0.5, 0.0, 1.0) * (up < height)
+    picture *= (1.0 - share)[..., None]
+    picture += (share * dark * (0.85 + 0.15 * up / np.float32(height)))[..., None] * _row(BOARDS)
 
 
 def _pixel_rad(rays: Image) -> float:
@@ -129,16 +166,17 @@ PLACES = {
         mottle=7.0,
         horizon=(190.0, 198.0, 202.0),
         zenith=(150.0, 154.0, 156.0),
-        skyline=(176.0, 186.0, 192.0),
+        skyline=(158.0, 164.0, 166.0),
         skyline_rad=0.6,
         ragged=0.0,
         grain_m=0.005,
         mottle_m=0.05,
-        haze_m=60.0,
+        haze_m=300.0,
+        boards=(3.0, 0.45),
     ),
     "field": Surroundings(
         ground=(60.0, 128.0, 46.0),
-        grain=8.0,
+        grain=14.0,
         mottle=6.0,
         horizon=(190.0, 198.0, 202.0),
         zenith=(140.0, 144.0, 148.0),
@@ -147,7 +185,15 @@ PLACES = {
         ragged=0.0,
         grain_m=0.005,
         mottle_m=0.05,
-        haze_m=60.0,
+        haze_m=300.0,
+        lines=(5.0, 2.5),
     ),
 }
 """By the name that a scenario file calls them: outdoors, indoors, a robot soccer field."""
+
+
+def place(name: str) -> Surroundings:
+    """Return surroundings by their name; a ValueError lists the names."""
+    if name not in PLACES:
+        raise ValueError(f"surroundings is {name!r}, expected one of {', '.join(PLACES)}")
+    return PLACES[name]
