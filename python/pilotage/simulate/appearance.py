@@ -12,6 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from .lens import turned
 from .paints import PAINTS, Colour
 
 Array = NDArray[np.float64]
@@ -85,13 +86,14 @@ class Pole:
     @property
     def centre(self) -> Array:
         """(3,) m."""
-        return np.array(self.foot) + (0.0, 0.0, self.height_m / 2)
+        x, y, z = self.foot
+        return np.array([x, y, z + self.height_m / 2])
 
     def outline(self) -> Array:
         """Rings from foot to top."""
         ring = np.column_stack([self.radius_m * CIRCLE, np.zeros(len(CIRCLE))]) + self.foot
         up = np.array([0.0, 0.0, self.height_m])
-        return np.concatenate([ring + level * up for level in LEVELS])
+        return np.asarray(LEVELS[:, None, None] * up + ring).reshape(-1, 3)
 
     def meet(self, eye: Array, rays: Rays) -> Met:
         """Where the cylinder, or its top from above, is; sides are darker than the middle."""
@@ -187,7 +189,7 @@ class Tag:
     def meet(self, eye: Array, rays: Rays) -> Met:
         """Where the plate is; how bright the cell there is, or its back."""
         right, up, out = ((eye - self.centre) @ self.rotation).tolist()
-        x, y, z = cv2.split(cv2.transform(rays, self.rotation.T))
+        x, y, z = cv2.split(turned(rays, self.rotation.T))
         towards = z * out < 0.0
         way = -out / np.where(towards, z, np.float32(1.0))
         half, count = self._half_plate, len(self.cells)
@@ -195,9 +197,9 @@ class Tag:
         row = (half - up - way * y) * (count / (2 * half))
         hit = towards & (column >= 0) & (column < count) & (row >= 0) & (row < count)
         if out <= 0.0:
-            return hit, np.full_like(z, BACK)
-        row, column = (np.where(hit, index, 0.0).astype(np.intp) for index in (row, column))
-        return hit, self.cells[row, column]
+            return hit, np.full(z.shape, BACK, np.float32)
+        across, down = (np.where(hit, index, 0.0).astype(np.intp) for index in (column, row))
+        return hit, self.cells[down, across]
 
     @property
     def _half_plate(self) -> float:

@@ -1,6 +1,7 @@
 """What a sensor makes of the light: blur, gain, noise, eight bits."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,7 +32,7 @@ class Exposure:
 
     def develop(self, light: NDArray[np.float32], rng: np.random.Generator) -> NDArray[np.uint8]:
         """(h, w, 3) uint8 of light (h, w, 3), blue, green, red, 0 to 255."""
-        picture = light
+        picture: NDArray[Any] = light
         if self.blur_px > 0.0:
             import cv2
 

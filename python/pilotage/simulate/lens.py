@@ -1,29 +1,15 @@
 """Where every part of every pixel of a camera looks."""
 
-from typing import Protocol
-
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+
+from .. import CameraModel
 
 Box = tuple[int, int, int, int]
 """First column, first row, one past the last column, one past the last row."""
 MARGIN = 2
 """Of rays round the picture, px: those of parts of a pixel lie between those of two pixels."""
-
-
-class Optics(Protocol):
-    """What `pilotage.CameraModel` answers of these."""
-
-    @property
-    def size(self) -> tuple[int, int]:
-        """Width and height, px."""
-
-    def project(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """(n, 2) pixels of points (n, 3) m, x forward, y left, z up; NaN where none."""
-
-    def rays(self, pixels: NDArray[np.float64]) -> NDArray[np.float64]:
-        """(n, 3) unit vectors of pixels (n, 2)."""
 
 
 class Lens:
@@ -33,14 +19,14 @@ class Lens:
     for a lens that bends less than a few thousandths of a pixel from one pixel to the next.
     """
 
-    def __init__(self, optics: Optics) -> None:
-        self.optics = optics
-        self.width, self.height = optics.size
+    def __init__(self, model: CameraModel) -> None:
+        self.model = model
+        self.width, self.height = model.size
         columns, rows = np.meshgrid(
             np.arange(-MARGIN, self.width + MARGIN), np.arange(-MARGIN, self.height + MARGIN)
         )
         pixels = np.column_stack([columns.ravel(), rows.ravel()]).astype(np.float64)
-        self._rays = optics.rays(pixels).reshape(*columns.shape, 3).astype(np.float32)
+        self._rays = model.rays(pixels).reshape(*columns.shape, 3).astype(np.float32)
         central = self._rays[MARGIN:-MARGIN, MARGIN:-MARGIN].copy()
         self.blind = ~np.isfinite(central).all(axis=2)
         """(h, w) whether a pixel's centre sees nothing: the lens ends before."""
@@ -63,7 +49,7 @@ class Lens:
 
         Points of which some have no pixel may be anywhere: then all of the picture.
         """
-        pixels = self.optics.project(points)
+        pixels = self.model.project(points)
         there = np.isfinite(pixels).all(axis=1)
         if not there.any():
             return None
@@ -75,6 +61,11 @@ class Lens:
         if (low >= high).any():
             return None
         return int(low[0]), int(low[1]), int(high[0]), int(high[1])
+
+
+def turned(rays: NDArray[np.float32], rotation: NDArray[np.float64]) -> NDArray[np.float32]:
+    """(rows, columns, 3) rays by a rotation (3, 3)."""
+    return cv2.transform(rays, rotation)  # type: ignore[return-value]
 
 
 def mean_of_parts(parts: NDArray[np.float32], n: int) -> NDArray[np.float32]:

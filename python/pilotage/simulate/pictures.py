@@ -121,7 +121,7 @@ def _draw(
     """Draw frames (f,) of which the robot stands in poses (f, k, 3) with tilts (f, k, 2)."""
     renderer = Renderer(camera.model, camera.mounting, world)
     for time, some, lean in zip(utime.tolist(), poses, tilts, strict=True):
-        light = np.mean(
+        light: NDArray[np.float32] = np.mean(
             [renderer.draw(p, tuple(t)) for p, t in zip(some, lean, strict=True)],
             axis=0,
             dtype=np.float32,

@@ -3,17 +3,17 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import CameraModel
 from .appearance import Body, Disc, Tag
-from .lens import Box, Lens, Optics, mean_of_parts
+from .lens import Box, Lens, mean_of_parts, turned
 from .surroundings import PLACES, Surroundings
 from .view import LEVEL, sight
 
 PARTS = (4, 32)
-"""Into how many parts a side a pixel is divided where a body ends: at least, and at most."""
+"""Into how many parts a pixel's side is divided where a body is: at least, and at most."""
 RAYS = 100_000
 """To a body, between these limits."""
 
@@ -26,7 +26,7 @@ class World:
     surroundings: Surroundings = PLACES["lawn"]
 
     def shows(self, index: int, eye: NDArray[np.float64]) -> bool:
-        """Tell whether from an eye (3,) nothing is before the middle of a body, nor its own back."""
+        """Tell whether from an eye (3,) the middle of a body is in sight, a tag's face too."""
         body = self.bodies[index]
         way = body.centre - eye
         if isinstance(body, Tag) and way @ body.rotation[:, 2] >= 0.0:
@@ -43,16 +43,16 @@ class Renderer:
 
     Parameters
     ----------
-    optics : CameraModel
+    model : CameraModel
         Its size, lens, roll and pitch.
     mounting : (4,) float
         x, y, z [m] and yaw [rad] of the camera in the robot.
     """
 
     def __init__(
-        self, optics: Optics, mounting: tuple[float, float, float, float], world: World
+        self, model: CameraModel, mounting: tuple[float, float, float, float], world: World
     ) -> None:
-        self.lens, self.mounting, self.world = Lens(optics), mounting, world
+        self.lens, self.mounting, self.world = Lens(model), mounting, world
 
     def draw(
         self, pose: NDArray[np.float64], tilt: tuple[float, float] = LEVEL
@@ -73,7 +73,7 @@ class Renderer:
             the mean over its area.
         """
         eye, rotation = self.sight(pose, tilt)
-        rays = cv2.transform(self.lens.central, rotation)
+        rays = turned(self.lens.central, rotation)
         picture = self.world.surroundings.behind(eye, rays)
         for body in sorted(self.world.bodies, key=lambda body: _order(body, eye)):
             box = self.lens.box((body.outline() - eye) @ rotation)
@@ -85,7 +85,7 @@ class Renderer:
     def sight(
         self, pose: NDArray[np.float64], tilt: tuple[float, float] = LEVEL
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Where the camera is, (3,) m, and the rotation (3, 3) from its level frame to frame map."""
+        """Where the camera is (3,) m, and the rotation (3, 3) from its level frame to frame map."""
         return sight(self.mounting, pose, tilt)
 
     def _add(
@@ -100,7 +100,7 @@ class Renderer:
             return
         left, top, right, bottom = box
         n = int(np.clip(np.sqrt(RAYS / ((right - left) * (bottom - top))), *PARTS))
-        hit, bright = body.meet(eye, cv2.transform(self.lens.parts(box, n), rotation))
+        hit, bright = body.meet(eye, turned(self.lens.parts(box, n), rotation))
         share = hit.astype(np.float32)
         light = mean_of_parts(share if bright is None else share * bright, n)
         part = picture[top:bottom, left:right]
@@ -113,7 +113,7 @@ class Renderer:
         """Return what of a box that is the whole picture has the body, by its pixels' centres."""
         if box != (0, 0, self.lens.width, self.lens.height):
             return box
-        hit, _ = body.meet(eye, cv2.transform(self.lens.central, rotation))
+        hit, _ = body.meet(eye, turned(self.lens.central, rotation))
         rows, columns = np.flatnonzero(hit.any(axis=1)), np.flatnonzero(hit.any(axis=0))
         if len(rows) == 0:
             return None

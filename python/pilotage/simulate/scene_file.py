@@ -1,6 +1,7 @@
 """The parts `cameras` and `world` of a scenario file; docs/camera-rendered.md shows every key."""
 
 import inspect
+from collections.abc import Callable
 from typing import Any
 
 from ..sensor_keys import MOUNTING
@@ -65,7 +66,8 @@ def _looks(content: Any, where: str) -> Looks:
         for key, of in BY_NUMBER.items()
         if key in content
     }
-    return call(KINDS[kind], content, where, **by_number)
+    make: Callable[..., Looks] = KINDS[kind]
+    return call(make, content, where, **by_number)
 
 
 def _by_number(kind: type, content: Any, where: str) -> dict[int, Any]:

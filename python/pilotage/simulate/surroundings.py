@@ -65,7 +65,7 @@ class Surroundings:
         """(h, w, 3) float32 colours where rays (h, w, 3) from an eye (3,) meet nothing else."""
         import cv2
 
-        x, y, z = cv2.split(rays)
+        x, y, z = (np.asarray(part, np.float32) for part in cv2.split(rays))
         down = z < -LEVEL
         way = np.float32(-eye[2]) / np.where(down, z, np.float32(-LEVEL))
         # What a pixel sees of the ground along its ray, over the ray's own width.
@@ -74,9 +74,10 @@ class Surroundings:
         place = np.float32(eye[0]) + way * x, np.float32(eye[1]) + way * y
         shade = np.zeros_like(x)
         for pattern, cell in zip(self._patterns, (self.grain_m, self.mottle_m), strict=True):
-            seen = cv2.remap(
+            seen: Image = cv2.remap(  # type: ignore[assignment]
                 pattern,
-                *(axis * np.float32(1.0 / cell) for axis in place),
+                place[0] * np.float32(1.0 / cell),
+                place[1] * np.float32(1.0 / cell),
                 cv2.INTER_LINEAR,
                 borderMode=cv2.BORDER_WRAP,
             )
@@ -135,7 +136,7 @@ def _pixel_rad(rays: Image) -> float:
 
 
 def _pattern(rng: np.random.Generator, fine_px: float, coarse_px: float) -> Image:
-    """(TILE, TILE) noise without a seam, of mean 0 and deviation 1, with blotches of these sizes."""
+    """(TILE, TILE) noise without a seam, of deviation 1, with blotches of these sizes."""
     total = np.zeros((TILE, TILE))
     frequency = np.hypot(*np.meshgrid(np.fft.fftfreq(TILE), np.fft.rfftfreq(TILE), indexing="ij"))
     for size in np.geomspace(fine_px, coarse_px, 4):

@@ -1,4 +1,4 @@
-"""OpenCV's own camera, with what `pilotage.CameraModel` answers: an oracle for it."""
+"""OpenCV's own projection: an oracle for `pilotage.CameraModel` and what is drawn with it."""
 
 import cv2
 import numpy as np
@@ -9,7 +9,7 @@ LEFT_UP_FRONT = np.array([[0.0, -1.0, 0.0], [0.0, 0.0, -1.0], [1.0, 0.0, 0.0]])
 
 
 class CvCamera:
-    """Projection by `cv2.projectPoints` and rays by `cv2.undistortPointsIter`."""
+    """Arguments are those of `pilotage.CameraModel`."""
 
     def __init__(
         self,
@@ -35,17 +35,3 @@ class CvCamera:
         pixels = cv2.projectPoints(points, turn, zero, self.matrix, self.distortion)[0][:, 0]
         pixels[points @ self.optical_of_level[2] <= 0.0] = np.nan
         return pixels
-
-    def rays(self, pixels: NDArray[np.float64]) -> NDArray[np.float64]:
-        """(n, 3) unit vectors towards pixels (n, 2)."""
-        many = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 200, 1e-12)
-        pixels = np.asarray(pixels, float).reshape(-1, 1, 2)
-        undistort = getattr(cv2, "undistortPointsIter", None)
-        if undistort is not None:
-            flat = undistort(pixels, self.matrix, self.distortion, None, None, many)[:, 0]
-        else:
-            flat = cv2.undistortPoints(
-                pixels, self.matrix, self.distortion, None, None, None, many
-            )[:, 0]
-        rays = np.column_stack([flat, np.ones(len(flat))]) @ self.optical_of_level
-        return rays / np.linalg.norm(rays, axis=1, keepdims=True)
