@@ -1,5 +1,7 @@
 """Where every part of every pixel of a camera looks."""
 
+from functools import cache
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -34,15 +36,16 @@ class Lens:
         self.central = central
         """(h, w, 3) float32, of the pixels' centres."""
 
-    def parts(self, box: Box, n: int) -> NDArray[np.float32]:
-        """(rows * n, columns * n, 3) rays of the n by n parts of each pixel of a box."""
-        left, top, right, bottom = box
+    def parts(
+        self, rows: NDArray[np.intp], columns: NDArray[np.intp], n: int
+    ) -> NDArray[np.float32]:
+        """(k, n * n, 3) rays of the n by n parts of pixels (k,)."""
+        step = np.arange(-1, 2)
         around = self._rays[
-            top + MARGIN - 1 : bottom + MARGIN + 1, left + MARGIN - 1 : right + MARGIN + 1
+            rows[:, None, None] + step[:, None] + MARGIN, columns[:, None, None] + step + MARGIN
         ]
-        # It puts the centre of a part where that is, and (0, 0) into a pixel's centre, as we do.
-        fine = cv2.resize(around, None, fx=n, fy=n, interpolation=cv2.INTER_LINEAR)
-        return np.ascontiguousarray(fine[n:-n, n:-n])
+        rays: NDArray[np.float32] = _shares(n) @ around.reshape(-1, 9, 3)
+        return rays
 
     def box(self, points: NDArray[np.float64]) -> Box | None:
         """Return the pixels in which a body may be that these points (k, 3) m enclose densely.
@@ -68,7 +71,16 @@ def turned(rays: NDArray[np.float32], rotation: NDArray[np.float64]) -> NDArray[
     return cv2.transform(rays, rotation)  # type: ignore[return-value]
 
 
-def mean_of_parts(parts: NDArray[np.float32], n: int) -> NDArray[np.float32]:
-    """(rows, columns) means over the n by n parts of each pixel."""
-    rows, columns = parts.shape[0] // n, parts.shape[1] // n
-    return np.asarray(cv2.resize(parts, (columns, rows), interpolation=cv2.INTER_AREA))
+@cache
+def _shares(n: int) -> NDArray[np.float32]:
+    """(n * n, 9) weights of a pixel and those around it for the middle of each of its parts.
+
+    The parts are a little askew, so that an edge along rows or columns does not pass all of a row
+    of them at once.
+    """
+    i, j = np.indices((n, n)).reshape(2, -1)
+    v, u = (
+        np.stack([np.maximum(-off, 0.0), 1.0 - np.abs(off), np.maximum(off, 0.0)], axis=1)
+        for off in ((i + (j + 0.5) / n) / n - 0.5, (j + (i + 0.5) / n) / n - 0.5)
+    )
+    return np.asarray(v[:, :, None] * u[:, None, :], np.float32).reshape(n * n, 9)

@@ -3,19 +3,22 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from .. import CameraModel
 from .appearance import Body, Disc, Tag
-from .lens import Box, Lens, mean_of_parts, turned
+from .lens import Box, Lens, turned
 from .surroundings import PLACES, Surroundings
 from .view import LEVEL, sight
 
-PARTS = (4, 32)
-"""Into how many parts a pixel's side is divided where a body is: at least, and at most."""
-RAYS = 100_000
-"""To a body, between these limits."""
+RAYS = 50_000
+"""To a body's edges; so many make its pixels' parts."""
+COARSE, FINE = 3, (4, 20)
+"""Into how many parts a pixel's side is divided: at first, and then where something ends in it."""
+ENDS = 0.08
+"""What neighbours differ by, of 1, where nothing ends; a pole's shade does by less."""
 
 
 @dataclass(frozen=True)
@@ -78,7 +81,9 @@ class Renderer:
         for body in sorted(self.world.bodies, key=lambda body: _order(body, eye)):
             box = self.lens.box((body.outline() - eye) @ rotation)
             if box is not None:
-                self._add(picture, body, eye, rotation, self._narrowed(box, body, eye, rotation))
+                box = self._narrowed(box, body, eye, rotation)
+            if box is not None:
+                self._add(picture, body, eye, rotation, box)
         picture[self.lens.blind] = 0.0
         return picture
 
@@ -94,18 +99,31 @@ class Renderer:
         body: Body,
         eye: NDArray[np.float64],
         rotation: NDArray[np.float64],
-        box: Box | None,
+        box: Box,
     ) -> None:
-        if box is None:
-            return
+        """Draw a body over what is in the picture; it is somewhere in the box."""
         left, top, right, bottom = box
-        n = int(np.clip(np.sqrt(RAYS / ((right - left) * (bottom - top))), *PARTS))
-        hit, bright = body.meet(eye, turned(self.lens.parts(box, n), rotation))
-        share = hit.astype(np.float32)
-        light = mean_of_parts(share if bright is None else share * bright, n)
         part = picture[top:bottom, left:right]
-        part *= 1.0 - mean_of_parts(share, n)[..., None]
-        part += light[..., None] * np.array(body.colour, np.float32)
+
+        def look(some: NDArray[np.bool_], n: int) -> NDArray[np.float32]:
+            """(2, k) how much of some pixels it covers, and with how much light."""
+            rows, columns = np.nonzero(some)
+            rays = turned(self.lens.parts(rows + top, columns + left, n), rotation)
+            hit, bright = body.meet(eye, rays)
+            share = hit.astype(np.float32)
+            light = share if bright is None else share * bright
+            return np.stack([share.mean(axis=1), light.mean(axis=1)])
+
+        ends = np.ones(part.shape[:2], dtype=bool)
+        seen = np.zeros((2, *ends.shape), np.float32)
+        if ends.size * FINE[0] ** 2 > RAYS:
+            seen[:, ends] = look(ends, COARSE)
+            ends = _differ(seen[0]) | _differ(seen[1])
+        if ends.any():
+            seen[:, ends] = look(ends, int(np.clip(np.sqrt(RAYS / ends.sum()), *FINE)))
+        share, light = seen[..., None]
+        part *= 1.0 - share
+        part += light * np.array(body.colour, np.float32)
 
     def _narrowed(
         self, box: Box, body: Body, eye: NDArray[np.float64], rotation: NDArray[np.float64]
@@ -129,3 +147,10 @@ def _order(body: Body, eye: NDArray[np.float64]) -> tuple[bool, float]:
     """What lies on the ground first, then from far to near."""
     flat = isinstance(body, Disc) and body.position[2] <= 0.0
     return not flat, -float(np.hypot(*(body.centre - eye)[:2]))
+
+
+def _differ(value: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """(rows, columns) whether values of a pixel and of those around it do."""
+    around = np.ones((3, 3), np.uint8)
+    spread = cv2.dilate(value, around) - cv2.erode(value, around)
+    return np.asarray(spread > ENDS)

@@ -114,6 +114,11 @@ def _try_out(scenario: Scenario, name: str) -> None:
             f"{name}: outliers.kind is {scenario.outliers.kind}, and site has one marker: there is "
             "no other whose id a sighting could have; say kind: bearing"
         )
+    if scenario.scene is not None:
+        try:
+            scenario.scene.markers.detector(markers)
+        except ValueError as error:
+            raise ValueError(f"{name}: world.markers: {error}") from error
     drive = scenario.drive(1.0)  # names its place itself
     try:
         config = suitable_config(scenario, markers, drive)

@@ -76,10 +76,9 @@ class Surroundings:
         for pattern, cell in zip(self._patterns, (self.grain_m, self.mottle_m), strict=True):
             seen: Image = cv2.remap(  # type: ignore[assignment]
                 pattern,
-                place[0] * np.float32(1.0 / cell),
-                place[1] * np.float32(1.0 / cell),
+                _on_tile(place[0], cell),
+                _on_tile(place[1], cell),
                 cv2.INTER_LINEAR,
-                borderMode=cv2.BORDER_WRAP,
             )
             # A pattern finer than a pixel is not seen.
             shade += seen / (1.0 + np.square(width * np.float32(1.0 / cell)))
@@ -136,14 +135,20 @@ def _pixel_rad(rays: Image) -> float:
 
 
 def _pattern(rng: np.random.Generator, fine_px: float, coarse_px: float) -> Image:
-    """(TILE, TILE) noise without a seam, of deviation 1, with blotches of these sizes."""
+    """(TILE + 1, TILE + 1) noise without a seam, of deviation 1, with blotches of these sizes."""
     total = np.zeros((TILE, TILE))
     frequency = np.hypot(*np.meshgrid(np.fft.fftfreq(TILE), np.fft.rfftfreq(TILE), indexing="ij"))
     for size in np.geomspace(fine_px, coarse_px, 4):
         blur = np.exp(-2.0 * np.square(np.pi * size * frequency))
         layer = np.fft.irfft2(np.fft.rfft2(rng.standard_normal((TILE, TILE))) * blur)
         total += layer / layer.std()
-    return np.asarray(total / total.std(), np.float32)
+    return np.pad(total / total.std(), (0, 1), mode="wrap").astype(np.float32)
+
+
+def _on_tile(place: NDArray[np.float64] | Image, cell: float) -> Image:
+    """Places [m] in pixels of the first of the tiles that repeat."""
+    pixel = np.asarray(place, np.float32) * np.float32(1.0 / cell)
+    return np.asarray(pixel - np.float32(TILE) * np.floor(pixel * np.float32(1.0 / TILE)))
 
 
 def _row(colour: Colour) -> Image:
