@@ -6,11 +6,62 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['ArcUnicycle', 'ArcVelocity', 'CalibratedArc', 'CameraModel', 'Config', 'ConfigError', 'ConstantVelocity', 'DifferentialDrive', 'EchoEnvelope', 'Ekf3', 'Ekf5', 'Ekf6', 'Engine', 'EulerVelocity', 'GyroDrive', 'HeadingFix', 'LinearKalman', 'LinearizedVelocity', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'MidpointVelocity', 'MoveAndTurn', 'PlanarVelocity', 'Policy', 'PoseFix', 'PositionFix', 'Recording', 'RelativePosition', 'Run', 'SkidSteer', 'Speed', 'Ukf3', 'Ukf4', 'Ukf5', 'Ukf6', 'Unscented', 'UpdateReport', 'WallMap', 'WallRange', 'WheelTravel', 'WorldBearing', 'YawRate', 'load_config', 'read_checkpoint', 'read_table', 'relative_position_noise', 'replay', 'unscented_transform']
+__all__: list[str] = ['ArcUnicycle', 'ArcVelocity', 'CalibratedArc', 'CameraModel', 'Config', 'ConfigError', 'ConstantVelocity', 'DifferentialDrive', 'EchoEnvelope', 'Ekf3', 'Ekf5', 'Ekf6', 'Engine', 'EulerVelocity', 'GyroDrive', 'HeadingFix', 'LinearKalman', 'LinearizedVelocity', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'MidpointVelocity', 'MoveAndTurn', 'PlanarVelocity', 'Policy', 'PoseFix', 'PositionFix', 'Recording', 'RelativePosition', 'Run', 'SkidSteer', 'Speed', 'Ukf3', 'Ukf4', 'Ukf5', 'Ukf6', 'Unscented', 'UpdateReport', 'WallMap', 'WallRange', 'WheelTravel', 'WorldBearing', 'YawRate', 'associate_pixels', 'load_config', 'read_checkpoint', 'read_table', 'relative_position_noise', 'replay', 'unscented_transform']
 class ConfigError(ValueError):
     """
     A configuration or map that cannot be used; names file, line, key, value and what was expected.
     """
+class MarkerMap:
+    """
+    The surveyed markers, sorted by id.
+    """
+    @staticmethod
+    def load(path: str) -> MarkerMap:
+        """
+        Reads a YAML list of {id, x, y, z, sigma, label}; ValueError names file, line and value.
+        """
+    def __init__(self, ids: typing.Annotated[numpy.typing.ArrayLike, numpy.int32], positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], sigmas: typing.Any = 0.0, labels: typing.Annotated[numpy.typing.ArrayLike, numpy.int32] | None = None) -> None:
+        """
+        Parameters
+        ----------
+        ids : (n,) int, 0 or more, each once
+        positions : (n, 3) float, x, y in frame map and z above the ground [m]
+        sigmas : float or (n,) float, standard deviation of the survey in x and in y [m]
+        labels : (n,) int, class of look-alike markers (a pole's colour), -1 none; none at all if left out
+        
+        Raises
+        ------
+        ValueError
+            If the map is empty, an id comes twice, a number is not finite or a label is below -1.
+        """
+    def __len__(self) -> int:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def save(self, path: str) -> None:
+        """
+        Writes the YAML list that `load` reads.
+        """
+    @property
+    def ids(self) -> numpy.typing.NDArray[numpy.int32]:
+        """
+        (n,) int32
+        """
+    @property
+    def labels(self) -> numpy.typing.NDArray[numpy.int32]:
+        """
+        (n,) int32, -1 where there is none
+        """
+    @property
+    def positions(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (n, 3) float [m]
+        """
+    @property
+    def sigmas(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (n,) float [m]
+        """
 class CameraModel:
     """
     A camera on the robot: from points to pixels and back.
@@ -63,6 +114,12 @@ class CameraModel:
         (fx, fy, cx, cy) [px]
         """
     @property
+    def pitch_rad(self) -> float:
+        ...
+    @property
+    def roll_rad(self) -> float:
+        ...
+    @property
     def rotation(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]:
         """
         (3, 3), from OpenCV's camera frame (x right, y down, z forward) to the level sensor frame
@@ -76,57 +133,6 @@ class CameraModel:
     def widest_rad(self) -> float:
         """
         Angle from the optical axis within which the distortion is one-to-one.
-        """
-class MarkerMap:
-    """
-    The surveyed markers, sorted by id.
-    """
-    @staticmethod
-    def load(path: str) -> MarkerMap:
-        """
-        Reads a YAML list of {id, x, y, z, sigma, label}; ValueError names file, line and value.
-        """
-    def __init__(self, ids: typing.Annotated[numpy.typing.ArrayLike, numpy.int32], positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], sigmas: typing.Any = 0.0, labels: typing.Annotated[numpy.typing.ArrayLike, numpy.int32] | None = None) -> None:
-        """
-        Parameters
-        ----------
-        ids : (n,) int, 0 or more, each once
-        positions : (n, 3) float, x, y in frame map and z above the ground [m]
-        sigmas : float or (n,) float, standard deviation of the survey in x and in y [m]
-        labels : (n,) int, class of look-alike markers (a pole's colour), -1 none; none at all if left out
-        
-        Raises
-        ------
-        ValueError
-            If the map is empty, an id comes twice, a number is not finite or a label is below -1.
-        """
-    def __len__(self) -> int:
-        ...
-    def __repr__(self) -> str:
-        ...
-    def save(self, path: str) -> None:
-        """
-        Writes the YAML list that `load` reads.
-        """
-    @property
-    def ids(self) -> numpy.typing.NDArray[numpy.int32]:
-        """
-        (n,) int32
-        """
-    @property
-    def labels(self) -> numpy.typing.NDArray[numpy.int32]:
-        """
-        (n,) int32, -1 where there is none
-        """
-    @property
-    def positions(self) -> numpy.typing.NDArray[numpy.float64]:
-        """
-        (n, 3) float [m]
-        """
-    @property
-    def sigmas(self) -> numpy.typing.NDArray[numpy.float64]:
-        """
-        (n,) float [m]
         """
 class WallMap:
     """
@@ -207,6 +213,10 @@ class Config:
         """
         Raises KeyError naming the nearest known key, ConfigError for an impossible value.
         """
+    def camera(self, sensor: str) -> CameraModel | None:
+        """
+        The CameraModel of a sensor by its name, None if it has no intrinsics; KeyError if there is no such sensor.
+        """
     def check(self) -> None:
         """
         Raises ConfigError if the parts do not fit together.
@@ -215,10 +225,22 @@ class Config:
         """
         (key, value, meaning) of every key.
         """
+    def set_camera(self, sensor: str, camera: CameraModel) -> None:
+        """
+        Gives a sensor a camera, with its roll and pitch; KeyError if there is no such sensor.
+        """
     def to_yaml(self) -> str:
         """
         Every key with its value, and the map.
         """
+    @property
+    def detectors(self) -> dict:
+        """
+        The section of that name as it stands, by sensor; empty where there is none. The node passes over it.
+        """
+    @detectors.setter
+    def detectors(self, arg1: dict) -> None:
+        ...
     @property
     def map(self) -> MarkerMap:
         """
@@ -231,6 +253,11 @@ class Config:
     def marker_sensors(self) -> list[str]:
         """
         Names of those that measure markers.
+        """
+    @property
+    def pixel_sensors(self) -> list[str]:
+        """
+        Names of those that measure pixels.
         """
     @property
     def sensors(self) -> list[str]:
@@ -1404,6 +1431,26 @@ class Localizer:
         -------
         Structured array like `Run.poses`, one row a motion sample.
         """
+def associate_pixels(camera: CameraModel, mounting: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[4, 1]"], pose: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], map: MarkerMap, pixels: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], radius_pixel: typing.SupportsFloat | typing.SupportsIndex, labels: typing.Annotated[numpy.typing.ArrayLike, numpy.int32] | None = None) -> numpy.typing.NDArray[numpy.int32]:
+    """
+    Which markers pixels are of: the one projected nearest, within a radius.
+    
+    Section 2 of Kiriy and Buehler 2002, where the radius is 64. Of two pixels at one marker the nearer has it.
+    
+    Parameters
+    ----------
+    camera : CameraModel
+    mounting : (4,) float, the sensor's x, y, z [m] and yaw [rad] in the robot frame
+    pose : (3,) float, x, y [m] and heading [rad] of the robot in frame map
+    map : MarkerMap
+    pixels : (n, 2) float
+    radius_pixel : below which a projection is near
+    labels : (n,) int, class of look-alike markers, -1 any
+    
+    Returns
+    -------
+    (n,) int32, ids of markers, -1 where there is none
+    """
 def load_config(path: str) -> Config:
     """
     Reads a configuration file and the map that it names; raises ConfigError naming file and line.

@@ -2,6 +2,8 @@
 
 #include "pilotage/held_pixel.hpp"
 
+#include <Eigen/Geometry>
+
 #include "support/images.hpp"
 #include "support/scalars.hpp"
 

@@ -20,8 +20,33 @@ template <typename Scalar, int N>
     return bend * bend > Scalar(0.8) * held.variances[0];
 }
 
-/// \param unscented linearised over the Gaussian about the state, as on a close pass by either
-/// filter; where the camera does not see the marker from all of it, at the state
+/// What linearising leaves out of (u, v), as a covariance: tr(H_i P H_j P) / 2 of the second
+/// derivatives H, as curvature.hpp has it for one component. They are differences of the first;
+/// zero where the camera sees the marker from one side only.
+template <typename Scalar>
+[[nodiscard, gnu::noinline, gnu::cold]] Matrix<Scalar, 2> bend_covariance(
+    const Mounted<PixelSighting<Scalar>, Scalar>& model, const Pose<Scalar>& x,
+    const Matrix<Scalar, kPoseStates>& p) noexcept {
+    constexpr auto step = Scalar(0.01);  // m, m, rad: far below what bends, far above rounding
+    Matrix<Scalar, kPoseStates> by_p[2];
+    by_p[0].setZero();
+    by_p[1].setZero();
+    for (int j = 0; j < kPoseStates; ++j) {
+        Pose<Scalar> after = x, before = x;
+        after[j] += step;
+        before[j] -= step;
+        const auto there = model.linearize(after), here = model.linearize(before);
+        if (!there.defined || !here.defined) return Matrix<Scalar, 2>::Zero();
+        const Matrix<Scalar, 2, kPoseStates> second = (there.jacobian - here.jacobian) / (2 * step);
+        for (int i = 0; i < 2; ++i) by_p[i].col(j) = second.row(i);
+    }
+    for (auto& h : by_p) h = (h * p).eval();
+    return symmetric<Matrix<Scalar, 2>>(
+        [&](int i, int j) { return (by_p[i] * by_p[j]).trace() / 2; });
+}
+
+/// \param unscented linearised over the Gaussian about the state; where the camera does not see the
+/// marker from all of it, at the state
 template <typename Scalar, int N>
 [[nodiscard, gnu::noinline]] SightingReport fuse_pixel(Ekf<Scalar, N>& filter, const Sample& sample,
                                                        const MarkerMap& map,
@@ -38,14 +63,18 @@ template <typename Scalar, int N>
     report.verdict = Verdict::out_of_view;
     if (!held.defined) return report;
     Matrix<Scalar, 2> rest = Matrix<Scalar, 2>::Zero();
-    if (unscented || (policy.fusion != Fusion::plain && bends(held, filter, sensor.camera))) {
-        const auto over = unscented_measurement(pixel_model<Scalar>(*marker, sensor), filter);
-        if (over.defined) {
+    const auto model = pixel_model<Scalar>(*marker, sensor);
+    if (unscented) {
+        if (const auto over = unscented_measurement(model, filter); over.defined) {
             held.innovation << Scalar(pixel.value[0]) - over.value[0],
                 Scalar(pixel.value[1]) - over.value[1];
             held.jacobian = over.jacobian;
             rest = over.noise;
         }
+    } else if (policy.fusion != Fusion::plain && bends(held, filter, sensor.camera)) {
+        rest = bend_covariance<Scalar>(
+            model, filter.state().template head<kPoseStates>(),
+            filter.covariance().template topLeftCorner<kPoseStates, kPoseStates>());
     }
     const Matrix<Scalar, 2> noise = held.noise() + rest;
     if constexpr (N == kTiltedStates) {

@@ -16,6 +16,7 @@
 #include "pilotage/sensing/elevation.hpp"
 #include "pilotage/sensing/marker_sighting.hpp"
 #include "pilotage/sensing/mounted.hpp"
+#include "pilotage/sensing/pixel_sighting.hpp"
 #include "pilotage/sensing/range.hpp"
 #include "pilotage/sensing/relative_position.hpp"
 #include "pilotage/sensing/wall_range.hpp"
@@ -108,6 +109,11 @@ WallRange<To> with_scalar(const WallRange<From>& model) {
 template <typename To, typename From>
 EchoEnvelope<To> with_scalar(const EchoEnvelope<From>& model) {
     return {To(model.time_s)};
+}
+
+template <typename To, typename From>
+PixelSighting<To> with_scalar(const PixelSighting<From>& model) {
+    return {model.marker_above_sensor.template cast<To>(), model.camera};
 }
 
 template <typename To, typename From, typename... Components>
