@@ -84,3 +84,24 @@ def test_what_cannot_be_simulated_is_named(tmp_path: Path, arguments, words):
     for word in words:
         assert word in result.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+def test_what_cameras_see_is_drawn_into_a_folder(tmp_path: Path):
+    folder = tmp_path / "mower"
+    options = ("--cameras", "--duration", 3, "-o", folder)
+    drawn = pilotage("simulate", "mower-cameras", *options)
+    assert drawn.returncode == 0, drawn.stderr
+    assert f"{folder / 'front'}: 2 pictures, " in drawn.stdout
+    assert len([*folder.glob("*/*.png")]) == 3
+    replayed = pilotage("replay", folder / "ideal.lcmlog", "--config", folder / "robot.yaml")
+    assert replayed.returncode == 0, replayed.stderr
+    again = pilotage("simulate", "mower-cameras", *options)
+    assert again.returncode == 2
+    assert "front is not empty: name another folder" in again.stderr
+
+
+@pytest.mark.parametrize("options", [[], ["-o", "x", "--live"], ["-o", "x", "--run", "1"]])
+def test_pictures_are_drawn_into_a_folder_and_nowhere_else(options: list[str]):
+    result = pilotage("simulate", "poles", "--cameras", *options)
+    assert result.returncode == 2
+    assert "--cameras draws into the folder of -o, without --live" in result.stderr
