@@ -48,3 +48,17 @@ class Detector(Protocol):
         image : (h, w, 3) uint8, blue, green, red, of the size that the camera was calibrated at
         """
         ...
+
+
+def check_size(image: Image, size: tuple[int, int]) -> None:
+    """Raise a ValueError unless an image is (h, w, 3) of the size (w, h) of the calibration."""
+    if image.ndim != 3 or image.shape[2] != 3 or image.dtype != np.uint8:
+        raise ValueError(
+            f"an image is {image.shape} of {image.dtype}, expected (h, w, 3) of uint8: blue, green, red"
+        )
+    height, width = image.shape[:2]
+    if (width, height) != tuple(size):
+        raise ValueError(
+            f"an image is {width} by {height} pixels, but the camera was calibrated at {size[0]} by "
+            f"{size[1]}: set the camera to that size, or calibrate it at this one"
+        )
