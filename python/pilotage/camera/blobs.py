@@ -44,6 +44,8 @@ class Blob:
 def blobs(mask: Image, min_area_px: float) -> Iterator[Blob]:
     """Find the pieces of a mask (h, w) that have at least so many pixels."""
     margin = 2 * EDGE_PX + RING_PX + 1
+    # Noise tears what is hardly a pixel thick.
+    mask = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
     for contour in cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)[0]:
         left, top, width, height = cv2.boundingRect(contour)
         if width * height < min_area_px:
