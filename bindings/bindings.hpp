@@ -13,6 +13,7 @@ void bind_recording(pybind11::module_& m);
 void bind_run(pybind11::module_& m);
 void bind_motion(pybind11::module_& m);
 void bind_sensing(pybind11::module_& m);
+void bind_camera_model(pybind11::module_& m);
 void bind_measurements(pybind11::module_& m);
 void bind_wall_map(pybind11::module_& m);
 void bind_filter(pybind11::module_& m);

@@ -6,11 +6,77 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['ArcUnicycle', 'ArcVelocity', 'CalibratedArc', 'Config', 'ConfigError', 'ConstantVelocity', 'DifferentialDrive', 'EchoEnvelope', 'Ekf3', 'Ekf5', 'Ekf6', 'Engine', 'EulerVelocity', 'GyroDrive', 'HeadingFix', 'LinearKalman', 'LinearizedVelocity', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'MidpointVelocity', 'MoveAndTurn', 'PlanarVelocity', 'Policy', 'PoseFix', 'PositionFix', 'Recording', 'RelativePosition', 'Run', 'SkidSteer', 'Speed', 'Ukf3', 'Ukf4', 'Ukf5', 'Ukf6', 'Unscented', 'UpdateReport', 'WallMap', 'WallRange', 'WheelTravel', 'WorldBearing', 'YawRate', 'load_config', 'read_checkpoint', 'read_table', 'relative_position_noise', 'replay', 'unscented_transform']
+__all__: list[str] = ['ArcUnicycle', 'ArcVelocity', 'CalibratedArc', 'CameraModel', 'Config', 'ConfigError', 'ConstantVelocity', 'DifferentialDrive', 'EchoEnvelope', 'Ekf3', 'Ekf5', 'Ekf6', 'Engine', 'EulerVelocity', 'GyroDrive', 'HeadingFix', 'LinearKalman', 'LinearizedVelocity', 'Localizer', 'MarkerMap', 'MarkerModel', 'MidpointUnicycle', 'MidpointVelocity', 'MoveAndTurn', 'PlanarVelocity', 'Policy', 'PoseFix', 'PositionFix', 'Recording', 'RelativePosition', 'Run', 'SkidSteer', 'Speed', 'Ukf3', 'Ukf4', 'Ukf5', 'Ukf6', 'Unscented', 'UpdateReport', 'WallMap', 'WallRange', 'WheelTravel', 'WorldBearing', 'YawRate', 'load_config', 'read_checkpoint', 'read_table', 'relative_position_noise', 'replay', 'unscented_transform']
 class ConfigError(ValueError):
     """
     A configuration or map that cannot be used; names file, line, key, value and what was expected.
     """
+class CameraModel:
+    """
+    A camera on the robot: from points to pixels and back.
+    
+    OpenCV's pinhole with its radial and tangential distortion. Pixel (0, 0) is the centre of the top
+    left one, u to the right, v down. The level sensor frame has its origin at the sensor, x along its
+    forward axis (the mounting's yaw) in the horizontal plane, y left and z up.
+    """
+    def __init__(self, size: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], "FixedSize(2)"], matrix: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], "FixedSize(4)"], distortion: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] = [], roll_rad: typing.SupportsFloat | typing.SupportsIndex = 0.0, pitch_rad: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        Parameters
+        ----------
+        size : (width, height) of the image [px]
+        matrix : (fx, fy, cx, cy) [px]
+        distortion : none, 4 (k1 k2 p1 p2), 5 (and k3) or 8 (and k4 k5 k6) numbers
+        roll_rad, pitch_rad : of the camera body in the level sensor frame, R = Ry(pitch) Rx(roll): positive
+            pitch looks down, positive roll lowers the right side
+        
+        Raises
+        ------
+        ValueError
+            Naming what is not finite, not positive, or of the wrong length.
+        """
+    def __repr__(self) -> str:
+        ...
+    def angle_covariance(self, pixels: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], covariance: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Covariance (n, 2, 2) of the angles [rad^2] from that of the pixels (n, 2, 2) [px^2], to first order.
+        """
+    def angles(self, pixels: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (n, 2): azimuth, left positive, and elevation, up positive [rad], of what is seen at pixels (n, 2): bearing and elevation of a sighting. NaN where no point is seen.
+        """
+    def project(self, points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Pixels (n, 2) of points (n, 3) in the level sensor frame [m]; NaN behind the camera and beyond where the distortion is one-to-one. They may lie outside the image.
+        """
+    def rays(self, pixels: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Unit vectors (n, 3) in the level sensor frame towards what is seen at pixels (n, 2); NaN where no point is seen.
+        """
+    @property
+    def distortion(self) -> typing.Annotated[list[float], "FixedSize(8)"]:
+        """
+        k1 k2 p1 p2 k3 k4 k5 k6
+        """
+    @property
+    def matrix(self) -> tuple[float, float, float, float]:
+        """
+        (fx, fy, cx, cy) [px]
+        """
+    @property
+    def rotation(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]:
+        """
+        (3, 3), from OpenCV's camera frame (x right, y down, z forward) to the level sensor frame
+        """
+    @property
+    def size(self) -> tuple[int, int]:
+        """
+        (width, height) [px]
+        """
+    @property
+    def widest_rad(self) -> float:
+        """
+        Angle from the optical axis within which the distortion is one-to-one.
+        """
 class MarkerMap:
     """
     The surveyed markers, sorted by id.
