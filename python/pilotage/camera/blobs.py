@@ -34,6 +34,15 @@ class Blob:
         """Its pixels."""
         return int(np.count_nonzero(self.filled))
 
+    def rows(self, first: int, last: int) -> "Blob":
+        """Return what of it lies in the image's rows from first to before last."""
+        rows, columns = self.window
+        first, last = max(first, rows.start), min(last, rows.start + len(self.filled))
+        cut = slice(first - rows.start, last - rows.start)
+        return Blob(
+            self.box, (slice(first, last), columns), self.filled[cut], self.others[cut]
+        )
+
     def touches(self, size: tuple[int, int]) -> tuple[bool, bool, bool, bool]:
         """Whether it reaches the left, top, right, bottom border: its edge is not to be seen there."""
         left, top, width, height = self.box
@@ -91,7 +100,7 @@ def coverage(image: Image, blob: Blob, outline: Array | None = None) -> Coverage
     With an outline (k, 2) px it is looked at inside of that too: the ends of a blob that is hardly a
     pixel thick are too pale for its mask.
     """
-    core = cv2.erode(blob.filled, _round(EDGE_PX), borderValue=0) > 0
+    core = cv2.erode(blob.filled, _round(EDGE_PX)) > 0
     place = blob.filled.copy()
     if outline is not None:
         corner = (blob.window[1].start, blob.window[0].start)
