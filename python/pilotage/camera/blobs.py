@@ -39,12 +39,10 @@ class Blob:
         rows, columns = self.window
         first, last = max(first, rows.start), min(last, rows.start + len(self.filled))
         cut = slice(first - rows.start, last - rows.start)
-        return Blob(
-            self.box, (slice(first, last), columns), self.filled[cut], self.others[cut]
-        )
+        return Blob(self.box, (slice(first, last), columns), self.filled[cut], self.others[cut])
 
     def touches(self, size: tuple[int, int]) -> tuple[bool, bool, bool, bool]:
-        """Whether it reaches the left, top, right, bottom border: its edge is not to be seen there."""
+        """Whether it reaches the left, top, right, bottom border, where its edge is not seen."""
         left, top, width, height = self.box
         right, bottom = size[0] - left - width, size[1] - top - height
         return left < EDGE_PX, top < EDGE_PX, right < EDGE_PX, bottom < EDGE_PX
@@ -54,17 +52,17 @@ def blobs(mask: Image, min_area_px: float) -> Iterator[Blob]:
     """Find the pieces of a mask (h, w) that have at least so many pixels."""
     margin = 2 * EDGE_PX + RING_PX + 1
     # Noise tears what is hardly a pixel thick.
-    mask = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
-    for contour in cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)[0]:
+    whole: Image = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
+    for contour in cv2.findContours(whole, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)[0]:
         left, top, width, height = cv2.boundingRect(contour)
         if width * height < min_area_px:
             continue
         u, v = max(left - margin, 0), max(top - margin, 0)
         window = (slice(v, top + height + margin), slice(u, left + width + margin))
-        filled = np.zeros_like(mask[window])
+        filled = np.zeros_like(whole[window])
         cv2.drawContours(filled, [contour], -1, 255, cv2.FILLED, offset=(-u, -v))
         if np.count_nonzero(filled) >= min_area_px:
-            others = mask[window] & ~filled
+            others = whole[window] & ~filled
             yield Blob((left, top, width, height), window, filled, others)
 
 
@@ -82,7 +80,7 @@ class Coverage:
     """(h, w) of `alpha`, 0 where it is known."""
 
     def centroid(self) -> tuple[Array, Array, Array]:
-        """Return the centre (2,) px, its covariance (2, 2) px^2 and the second moments (2, 2) px^2."""
+        """Return centre (2,) px, its covariance (2, 2) px^2 and second moments (2, 2) px^2."""
         u, v = np.meshgrid(self.u, self.v)
         pixels = np.column_stack([u.ravel(), v.ravel()])
         weight = self.alpha.ravel()
@@ -94,11 +92,11 @@ class Coverage:
 
 
 def coverage(image: Image, blob: Blob, outline: Array | None = None) -> Coverage | None:
-    """Tell how much of each pixel is marker by its colour between the marker's and the background's.
+    """Tell how much of each pixel is marker, by its colour between marker and background.
 
     The noise is that of the background about the blob. None where no background is to be seen.
-    With an outline (k, 2) px it is looked at inside of that too: the ends of a blob that is hardly a
-    pixel thick are too pale for its mask.
+    With an outline (k, 2) px it is looked at inside of that too: the ends of a blob that is hardly
+    a pixel thick are too pale for its mask.
     """
     core = cv2.erode(blob.filled, _round(EDGE_PX)) > 0
     place = blob.filled.copy()
@@ -134,4 +132,5 @@ def coverage(image: Image, blob: Blob, outline: Array | None = None) -> Coverage
 
 def _round(radius: int) -> NDArray[np.uint8]:
     size = 2 * radius + 1
-    return cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))  # type: ignore[return-value]
+    kernel: NDArray[np.uint8] = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
+    return kernel

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from ..simulate.fields import within
 from .detection import Image
@@ -29,9 +28,11 @@ class Colour:
         low, high = (round(hue / 2) for hue in self.hue_deg)
         spans = [(low, high)] if low <= high else [(low, 180), (0, high)]
         rest = np.rint(255 * np.array([self.saturation, self.value])).astype(int)
-        return sum(
+        masks = [
             cv2.inRange(hsv, (a, *rest[:, 0].tolist()), (b, *rest[:, 1].tolist())) for a, b in spans
-        )  # type: ignore[return-value]
+        ]
+        mask: Image = np.bitwise_or.reduce(masks)
+        return mask
 
 
 COLOURS = {
@@ -46,6 +47,7 @@ COLOURS = {
 """Of markers painted in a plain colour, in fair light."""
 
 
-def hue_saturation_value(image: Image) -> NDArray[np.uint8]:
+def hue_saturation_value(image: Image) -> Image:
     """Return an image (h, w, 3) of blue, green, red as hue, saturation, value in OpenCV's bytes."""
-    return cv2.cvtColor(image, cv2.COLOR_BGR2HSV)  # type: ignore[return-value]
+    hsv: Image = cv2.cvtColor(image, cv2.COLOR_BGR2HSV)
+    return hsv

@@ -16,8 +16,8 @@ Image = NDArray[np.uint8]
 class Detection:
     """One marker in an image.
 
-    Pixels are OpenCV's: (0, 0) is the centre of the top left pixel, u to the right, v down; they are
-    those of the image as it came, with the lens's distortion in them.
+    Pixels are OpenCV's: (0, 0) is the centre of the top left pixel, u to the right, v down. They
+    are those of the image as it came, with the lens's distortion in them.
     """
 
     pixel: Array
@@ -32,7 +32,7 @@ class Detection:
     """From the sensor to the marker's point; NaN: not measured."""
     sigma_range_m: float = math.nan
     has_elevation: bool = True
-    """False where the pixel tells the azimuth alone, as a pole's does: its height is in the range."""
+    """False where the pixel tells the azimuth alone, as a pole's does: its range has its height."""
     outline: Array = field(default_factory=lambda: np.empty((0, 2)))
     """(k, 2) px, for drawing; a tag's are its four corners."""
 
@@ -54,11 +54,12 @@ def check_size(image: Image, size: tuple[int, int]) -> None:
     """Raise a ValueError unless an image is (h, w, 3) of the size (w, h) of the calibration."""
     if image.ndim != 3 or image.shape[2] != 3 or image.dtype != np.uint8:
         raise ValueError(
-            f"an image is {image.shape} of {image.dtype}, expected (h, w, 3) of uint8: blue, green, red"
+            f"an image is {image.shape} of {image.dtype}, expected (h, w, 3) of uint8: blue, "
+            "green, red"
         )
     height, width = image.shape[:2]
     if (width, height) != tuple(size):
         raise ValueError(
-            f"an image is {width} by {height} pixels, but the camera was calibrated at {size[0]} by "
-            f"{size[1]}: set the camera to that size, or calibrate it at this one"
+            f"an image is {width} by {height} pixels, but the camera was calibrated at {size[0]} "
+            f"by {size[1]}: set the camera to that size, or calibrate it at this one"
         )

@@ -13,17 +13,17 @@ from .colour import COLOURS, Colour, hue_saturation_value
 from .detection import Array, Detection, Image, check_size
 
 SAMPLING_PX = 0.02
-"""What a pixel's finite size leaves of error in a blob's centre, measured on renders without noise."""
+"""What a pixel's finite size leaves of error in a blob's centre, measured without noise."""
 BLUR_PX2 = 0.5
 """What pixels and a lens add to a blob's second moments."""
 
 
 @dataclass(frozen=True)
 class DiscDetector:
-    """Finds blobs of one colour that are as large and as long as a disc on the ground would be there.
+    """Finds blobs of one colour that are as large and as long as a disc on the ground there.
 
-    A disc is seen at a slant: the middle of its blob is nearer than the projection of its centre. The
-    difference is that of a disc projected by the camera model, and is taken off.
+    A disc is seen at a slant: the middle of its blob is nearer than the projection of its centre.
+    The difference is that of a disc projected by the camera model, and is taken off.
     """
 
     camera: CameraModel
@@ -47,8 +47,8 @@ class DiscDetector:
         within("size_ratio", self.size_ratio, 1.0)
         if not self.z_m < self.height_m:
             raise ValueError(
-                f"z_m of the discs is {self.z_m:g} and of the camera {self.height_m:g}: from there it "
-                "does not see them; set the sensor's z_m"
+                f"z_m of the discs is {self.z_m:g} and of the camera {self.height_m:g}: from there "
+                "it does not see them; set the sensor's z_m"
             )
 
     def detect(self, image: Image) -> list[Detection]:
@@ -59,22 +59,26 @@ class DiscDetector:
         return [detection for detection in found if detection is not None]
 
     def _measure(self, image: Image, blob: Blob) -> Detection | None:
-        outline = None
         if any(blob.touches(self.camera.size)):
             return None
+        seen, disc = coverage(image, blob), None
         for _ in range(2):
-            if (seen := coverage(image, blob, outline)) is None:
+            if disc is not None:
+                seen = coverage(image, blob, disc.outline)
+            if seen is None:
                 return None
             middle, covariance, moments = seen.centroid()
             pixel = middle
             for _ in range(3):
-                if (expected := self._disc_at(pixel)) is None:
+                disc = self._disc_at(pixel)
+                if disc is None:
                     return None
-                outline, offset, expected_moments = expected
-                pixel = middle - offset
-        if not self._is_disc(seen.alpha.sum(), moments, expected_moments):
+                pixel = middle - disc.offset
+        if seen is None or disc is None:
             return None
-        return Detection(pixel, covariance + SAMPLING_PX**2 * np.eye(2), outline=outline)
+        if not self._is_disc(seen.alpha.sum(), moments, disc.moments):
+            return None
+        return Detection(pixel, covariance + SAMPLING_PX**2 * np.eye(2), outline=disc.outline)
 
     def _is_disc(self, area: float, moments: Array, expected: Array) -> bool:
         """Tell by area and second moments whether a blob is an ellipse and as large as expected."""
@@ -86,11 +90,8 @@ class DiscDetector:
         sharp = np.maximum(np.linalg.eigvalsh(moments) - BLUR_PX2, 0.0)
         return bool(area >= self.min_fill * 4 * math.pi * math.sqrt(sharp.prod()))
 
-    def _disc_at(self, pixel: Array) -> tuple[Array, Array, Array] | None:
-        """Return a disc whose centre shows at a pixel, None where it would not be in view.
-
-        That is its outline (k, 2) px, its middle less the pixel (2,) px and its moments (2, 2) px^2.
-        """
+    def _disc_at(self, pixel: Array) -> "_Disc | None":
+        """Return a disc whose centre shows at a pixel, None where it would not be in view."""
         ray = self.camera.rays(pixel[None])[0]
         if not ray[2] < 0:
             return None
@@ -101,7 +102,19 @@ class DiscDetector:
             return None
         offset = np.array([m["m10"], m["m01"]]) / m["m00"]
         moments = np.array([[m["mu20"], m["mu11"]], [m["mu11"], m["mu02"]]]) / m["m00"]
-        return outline, offset, moments
+        return _Disc(outline, offset, moments)
+
+
+@dataclass(frozen=True)
+class _Disc:
+    """A disc as the camera model projects it."""
+
+    outline: Array
+    """(k, 2) px."""
+    offset: Array
+    """(2,) px, the blob's middle less the projection of the disc's centre."""
+    moments: Array
+    """(2, 2) px^2, second ones of the blob."""
 
 
 _TURN = np.linspace(0, 2 * np.pi, 48, endpoint=False)

@@ -80,8 +80,8 @@ def _colour(value: Any, where: str) -> Colour:
     if isinstance(value, str):
         if value not in COLOURS:
             raise ValueError(
-                f"{where} is {value!r}, expected one of {', '.join(COLOURS)}, or hue_deg, saturation "
-                "and value"
+                f"{where} is {value!r}, expected one of {', '.join(COLOURS)}, or hue_deg, "
+                "saturation and value"
             )
         return COLOURS[value]
     return call(Colour, value, where)
@@ -92,7 +92,9 @@ def _colours(value: Any, where: str) -> Mapping[int, Colour]:
 
 
 def _yaws(value: Any, where: str) -> Mapping[int, float]:
-    yaws = {number: value_of(float, yaw, f"{where}.{number}") for number, yaw in _numbered(value, where)}
+    yaws = {
+        number: value_of(float, yaw, f"{where}.{number}") for number, yaw in _numbered(value, where)
+    }
     for number, yaw in yaws.items():
         if abs(yaw) > 2 * math.pi:
             raise ValueError(f"{where}.{number} is {yaw:g}, expected radians from -2 pi to 2 pi")

@@ -43,7 +43,8 @@ class MountingNoise:
         )
         jacobian = by_ray @ np.cross(axes[:, None], rays).transpose(1, 2, 0)
         sigma2 = np.array([self.sigma_roll_rad, self.sigma_pitch_rad, self.sigma_yaw_rad]) ** 2
-        return (jacobian * sigma2) @ jacobian.transpose(0, 2, 1)
+        covariance: Array = (jacobian * sigma2) @ jacobian.transpose(0, 2, 1)
+        return covariance
 
 
 def angles(
@@ -51,8 +52,8 @@ def angles(
 ) -> tuple[Array, Array]:
     """Return azimuth and elevation (n, 2) rad of detections and their covariance (n, 2, 2) rad^2.
 
-    By the Jacobian of the projection, from pixel noise and mounting noise. The elevation is NaN where
-    the detection has none.
+    By the Jacobian of the projection, from pixel noise and mounting noise. The elevation is NaN
+    where the detection has none.
     """
     pixels = np.array([one.pixel for one in detections]).reshape(-1, 2)
     noise = np.array([one.covariance for one in detections]).reshape(-1, 2, 2)

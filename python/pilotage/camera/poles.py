@@ -66,7 +66,7 @@ class PoleDetector:
         return [detection for detection in found if detection is not None]
 
     def _measure(self, image: Image, blob: Blob, label: int) -> Detection | None:
-        left, top, width, height = blob.box
+        _, top, width, height = blob.box
         on_left, on_top, on_right, on_bottom = blob.touches(self.camera.size)
         if on_left or on_right or height < self.min_aspect * width:
             return None
@@ -76,12 +76,9 @@ class PoleDetector:
         seen = coverage(image, blob)
         if seen is None or last - first < INSIDE_ROWS // 2:
             return None
-        azimuth, variance = self._azimuth(seen, first, last)
-        ends = [
-            None if cut else _end(image, blob, inside, outward)
-            for cut, inside, outward in ((on_top, first, -1), (on_bottom, last - 1, 1))
-        ]
-        return self._detection(label, azimuth, variance, *ends, outline=_box(blob))
+        upper = None if on_top else _end(image, blob, first, -1)
+        lower = None if on_bottom else _end(image, blob, last - 1, 1)
+        return self._detection(label, self._azimuth(seen, first, last), upper, lower, _box(blob))
 
     def _azimuth(self, seen: Coverage, first: int, last: int) -> tuple[float, float]:
         """Return azimuth [rad] and variance [rad^2] of the line midway between the two sides."""
@@ -102,13 +99,13 @@ class PoleDetector:
     def _detection(
         self,
         label: int,
-        azimuth: float,
-        variance: float,
+        line: tuple[float, float],
         top: End | None,
         bottom: End | None,
         outline: Array,
     ) -> Detection | None:
         """Put together what the centre line and the ends that are in view tell."""
+        azimuth, variance = line
         distance, slant, sigma = 1.0, math.nan, math.nan
         down, sigma_down = self._elevation(bottom)
         if top is not None and bottom is not None:

@@ -1,9 +1,10 @@
-"""The corners of a dark square on a light margin to hundredths of a pixel, with their covariance."""
+"""The corners of a dark square on a light margin, to hundredths of a pixel."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .blobs import ROUNDING
 from .detection import Array, Image
@@ -38,9 +39,9 @@ def refine(
 ) -> tuple[Array, Array] | None:
     """Move the corners to where the lines through the sides meet.
 
-    `cv2.cornerSubPix` is off by some tenths of a pixel at the corner of a square: the image is round
-    there. A side is straight in space, so as curved in the image as the camera model says, and where
-    it lies follows from how much light there is from its inside to its outside.
+    `cv2.cornerSubPix` is off by some tenths of a pixel at the corner of a square: the image is
+    round there. A side is straight in space, so as curved in the image as the camera model says,
+    and where it lies follows from how much light there is from its inside to its outside.
 
     Parameters
     ----------
@@ -50,8 +51,8 @@ def refine(
 
     Returns
     -------
-    corners (4, 2) px and covariance (8, 8) px^2 of u0, v0, u1, ... from the image's noise; None where
-    the square is too small in the image or its sides are not to be seen
+    corners (4, 2) px and covariance (8, 8) px^2 of u0, v0, u1, ... from the image's noise; None
+    where the square is too small in the image or its sides are not to be seen
     """
     size = (grey.shape[1], grey.shape[0])
     for _ in range(2):
@@ -109,7 +110,7 @@ def _side(grey: Image, corners: Array, modules: int, camera: "CameraModel") -> S
     # The line that fits the light's edges: of each profile its length times the share that is dark.
     fit = np.linalg.pinv(np.column_stack([1 - s, s]))
     profile = len(steps) / 2 - ((light - dark) / (bright - dark)).sum(axis=1)
-    # What a unit of light at each sample does to the two ends, also by the levels of dark and bright.
+    # What a unit of light at each sample does to the two ends, also by the levels on both sides.
     pull = np.repeat(-fit[:, :, None], len(steps), axis=2)
     share = len(steps) / 2 * fit.sum(axis=1)
     for columns in edge_columns:
@@ -118,7 +119,7 @@ def _side(grey: Image, corners: Array, modules: int, camera: "CameraModel") -> S
     weights = np.stack(
         [np.bincount(index.ravel(), (one[..., None] * weight).ravel()) for one in pull]
     )
-    nearest = grey.ravel()[index[np.arange(count)[:, None], np.arange(len(steps)), weight.argmax(-1)]]
+    nearest = grey.ravel()[np.take_along_axis(index, weight.argmax(-1)[..., None], -1)[..., 0]]
     level = np.concatenate([nearest[:, columns] for columns in edge_columns], axis=1)
     variance = _noise(level.astype(np.float64), s) + ROUNDING
     return Side(normals[[0, -1]], fit @ profile, variance * weights @ weights.T)
@@ -138,15 +139,12 @@ def _line(camera: "CameraModel", ends: Array, s: Array) -> tuple[Array, Array]:
 def _inside(points: Array, shape: tuple[int, ...]) -> bool:
     u, v = points[..., 0], points[..., 1]
     return bool(
-        (u >= 0).all()
-        and (v >= 0).all()
-        and (u < shape[1] - 1).all()
-        and (v < shape[0] - 1).all()
+        (u >= 0).all() and (v >= 0).all() and (u < shape[1] - 1).all() and (v < shape[0] - 1).all()
     )
 
 
-def _bilinear(points: Array, width: int) -> tuple[np.ndarray, Array]:
-    """Return indices (..., 4) into the flat image and weights (..., 4) of the four pixels about each."""
+def _bilinear(points: Array, width: int) -> tuple[NDArray[np.int64], Array]:
+    """Return indices (..., 4) into the flat image of the pixels about each, and weights."""
     corner = np.floor(points).astype(np.int64)
     u, v = np.moveaxis(points - corner, -1, 0)
     first = corner[..., 1] * width + corner[..., 0]

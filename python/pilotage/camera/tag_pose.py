@@ -92,14 +92,14 @@ def tag_poses(
     """
     points = size_m / 2 * np.array([[-1, 1, 0], [1, 1, 0], [1, -1, 0], [-1, -1, 0.0]])
     seen, jacobian = _plane(camera, corners)
-    noise = jacobian @ covariance @ jacobian.T
+    information: Array = np.linalg.inv(jacobian @ covariance @ jacobian.T)
     _, turns, places, _ = cv2.solvePnPGeneric(
         points, seen, np.eye(3), None, flags=cv2.SOLVEPNP_IPPE_SQUARE
     )
     found = []
     for turn, place in zip(turns, places, strict=True):
         start = cv2.Rodrigues(turn)[0], place.ravel()
-        rotation, translation, spread = _likeliest(points, seen, np.linalg.inv(noise), *start)
+        rotation, translation, spread = _likeliest(points, seen, information, *start)
         level = np.kron(np.eye(2), camera.rotation)
         rotation, translation = camera.rotation @ rotation, camera.rotation @ translation
         left = camera.project(points @ rotation.T + translation) - corners
@@ -110,7 +110,7 @@ def tag_poses(
 
 
 def _plane(camera: "CameraModel", corners: Array) -> tuple[Array, Array]:
-    """Return corners (4, 2) on the plane one before the camera, with the Jacobian (8, 8) by pixels."""
+    """Return corners (4, 2) on the plane at 1 before the camera, and Jacobian (8, 8) by pixels."""
     steps = STEP_PX * np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1.0]])
     rays = camera.rays((corners + steps[:, None]).reshape(-1, 2)) @ camera.rotation
     at, right, left, down, up = (rays[:, :2] / rays[:, 2:]).reshape(5, 4, 2)
@@ -124,7 +124,7 @@ def _plane(camera: "CameraModel", corners: Array) -> tuple[Array, Array]:
 def _likeliest(
     points: Array, seen: Array, information: Array, rotation: Array, translation: Array
 ) -> tuple[Array, Array, Array]:
-    """Gauss and Newton's steps from a pose, and the covariance (6, 6) there; in the camera's frame."""
+    """Take Gauss and Newton's steps from a pose; return it with its covariance (6, 6)."""
     for _ in range(ITERATIONS):
         arm = points @ rotation.T
         x, y, z = (arm + translation).T

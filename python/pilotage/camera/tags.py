@@ -6,7 +6,6 @@ from difflib import get_close_matches
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from .. import CameraModel
 from ..simulate.fields import within
@@ -45,7 +44,7 @@ class TagDetector:
     size_m: float | None = None
     """Side of the black square; without it neither range nor pose is told."""
     yaw_rad: dict[int, float] = field(default_factory=dict)
-    """By id, for poses in the map: the direction in frame map that the tag looks in, its normal's."""
+    """By id, for poses in the map: the direction in frame map that the tag looks in."""
     max_ambiguity: float = 0.2
     """A pose is told where its error in the image is at most so much of the other solution's."""
     _modules: int = field(init=False, repr=False)
@@ -71,9 +70,9 @@ class TagDetector:
     def detect(self, image: Image) -> list[TagDetection]:
         """Return the tags of an image (h, w, 3)."""
         check_size(image, self.camera.size)
-        grey: NDArray[np.uint8] = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)  # type: ignore[assignment]
+        grey: Image = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
         corners, ids, _ = self._finder.detectMarkers(grey)
-        numbers = [] if ids is None else np.ravel(ids).tolist()
+        numbers: list[int] = [] if ids is None else np.ravel(ids).tolist()
         found = [
             self._measure(grey, number, np.asarray(four, dtype=np.float64).reshape(4, 2))
             for number, four in zip(numbers, corners, strict=True)

@@ -54,7 +54,7 @@ def pole(foot, height: float, radius: float, colour=RED) -> Paint:
         side = (inside > 0) & (near > 0) & (z > 0) & (z < height)
         colours[side] = colour
         if foot[2] + height < 0:
-            disc(foot + [0, 0, height], radius, colour)(rays, colours)
+            disc(foot + np.array([0, 0, height]), radius, colour)(rays, colours)
 
     return paint
 
@@ -62,8 +62,8 @@ def pole(foot, height: float, radius: float, colour=RED) -> Paint:
 def tag(centre, rotation, size: float, dictionary: int, number: int) -> Paint:
     """A tag with a white margin of one module.
 
-    Its centre (3,) and rotation (3, 3) are in the level sensor frame: the columns are the tag's x to
-    the right as one reads it, y up and z towards the reader; `size` is that of its black square.
+    Its centre (3,) and rotation (3, 3) are in the level sensor frame: the columns are the tag's x
+    to the right as one reads it, y up and z towards the reader; `size` is its black square's.
     """
     centre = np.asarray(centre, dtype=float)
     bits = cv2.aruco.getPredefinedDictionary(dictionary)
