@@ -1,6 +1,6 @@
 """The corners of a dark square on a light margin, to hundredths of a pixel."""
 
-from dataclasses import dataclass
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,20 +18,10 @@ REACH_PX = (2, 4)
 """A side is looked at from so far inside to so far outside, by what its border allows."""
 FEWEST = 6
 """Places along a side."""
+PASSES = 2
+"""The second one looks where the sides are, not where they were believed to be."""
 SAMPLING_PX = 0.02
 """What a pixel's finite size leaves of error in a corner, measured on renders without noise."""
-
-
-@dataclass(frozen=True)
-class Side:
-    """One side, found as a straight line's offset from where it was believed to be."""
-
-    normals: Array
-    """(2, 2) outward unit normals at its two ends."""
-    offsets: Array
-    """(2,) px along them."""
-    covariance: Array
-    """(2, 2) px^2 of the offsets."""
 
 
 def refine(
@@ -54,106 +44,115 @@ def refine(
     corners (4, 2) px and covariance (8, 8) px^2 of u0, v0, u1, ... from the image's noise; None
     where the square is too small in the image or its sides are not to be seen
     """
-    size = (grey.shape[1], grey.shape[0])
-    for _ in range(2):
-        sides = [_side(grey, np.roll(corners, -k, axis=0), modules, camera) for k in range(4)]
-        found = [side for side in sides if side is not None]
-        if len(found) < 4:
+    for _ in range(PASSES):
+        sides = _sides(grey, corners, modules, camera)
+        if sides is None:
             return None
-        spread = np.zeros((8, 8))
-        covariance = np.zeros((8, 8))
-        offsets = np.zeros(8)
-        for k, side in enumerate(found):
-            here, there = 2 * k, 2 * ((k + 1) % 4)
-            # Two lines meet at each corner: that of its own side, and that of the one before.
-            spread[here, here : here + 2] = side.normals[0]
-            spread[there + 1, there : there + 2] = side.normals[1]
-            ends = [here, there + 1]
-            offsets[ends] = side.offsets
-            covariance[np.ix_(ends, ends)] = side.covariance
-        try:
-            back = np.linalg.inv(spread)
-        except np.linalg.LinAlgError:
-            return None
+        normals, offsets, covariance = sides
+        # Two lines meet at each corner: the beginning of its own side, the end of the one before.
+        spread = np.zeros((4, 2, 4, 2))
+        each = np.arange(4)
+        spread[each, 0, each] = normals[:, 0]
+        spread[each, 1, (each + 1) % 4] = normals[:, 1]
+        back = np.linalg.inv(spread.reshape(8, 8))
         corners = corners + (back @ offsets).reshape(4, 2)
-        if not ((corners >= 0) & (corners <= np.array(size) - 1)).all():
-            return None
     return corners, back @ covariance @ back.T + SAMPLING_PX**2 * np.eye(8)
 
 
-def _side(grey: Image, corners: Array, modules: int, camera: "CameraModel") -> Side | None:
-    """Measure the side from the first of its square's corners to the second."""
-    start, end, after, before = corners
-    length = float(np.hypot(*(end - start)))
-    count = int(length - 2 * END_PX) + 1
-    if count < FEWEST:
+def _sides(
+    grey: Image, corners: Array, modules: int, camera: "CameraModel"
+) -> tuple[Array, Array, Array] | None:
+    """Measure the sides, the first of which goes from the first corner to the second.
+
+    Returns
+    -------
+    outward unit normals (4, 2, 2) at the beginning and the end of each side, the sides' offsets
+    (8,) px along them, and the covariance (8, 8) px^2 of these
+    """
+    along = np.roll(corners, -1, axis=0) - corners
+    length = np.hypot(*along.T)
+    outward = np.column_stack([along[:, 1], -along[:, 0]]) / length[:, None]
+    opposite = np.roll(corners, -2, axis=0), np.roll(corners, -3, axis=0)
+    depth = min(float(((corners - far) * outward).sum(axis=1).min()) for far in opposite)
+    reach = min(int(depth / modules - 0.75), REACH_PX[1])
+    count = int(length.min() - 2 * END_PX) + 1
+    if reach < REACH_PX[0] or count < FEWEST:
         return None
-    along = (end - start) / length
-    outward = np.array([along[1], -along[0]])
-    depth = min(outward @ (start - before), outward @ (end - after)) / modules
-    reach = min(int(depth - 0.75), REACH_PX[1])
-    if reach < REACH_PX[0]:
-        return None
-    s = np.linspace(END_PX / length, 1 - END_PX / length, count)
-    place, normals = _line(camera, corners[:2], np.concatenate([[0.0], s, [1.0]]))
-    normals *= np.sign(normals @ outward)[:, None]
+    end = (END_PX / length)[:, None]
+    s = end + (1 - 2 * end) * np.linspace(0, 1, count)
+    place, normals = _lines(camera, corners, np.column_stack([np.zeros(4), s, np.ones(4)]))
     steps = np.arange(-reach, reach + 1.0)
-    points = place[1:-1, None] + steps[:, None] * normals[1:-1, None]
-    if not _inside(points, grey.shape):
+    patch = _patch(grey, place[:, 1:-1, None] + steps[:, None] * normals[:, 1:-1, None])
+    if patch is None:
         return None
-    index, weight = _bilinear(points, grey.shape[1])
-    light = (grey.ravel()[index] * weight).sum(axis=-1)
-    edge_columns = slice(0, reach - 1), slice(reach + 2, None)
-    dark, bright = (light[:, columns].mean() for columns in edge_columns)
-    if bright - dark < 1:
+    light, nearest, by_pixels = patch
+    rims = slice(0, reach - 1), slice(reach + 2, None)
+    dark, bright = (light[..., rim].mean(axis=(1, 2)) for rim in rims)
+    contrast = bright - dark
+    if contrast.min() < 1:
         return None
     # The line that fits the light's edges: of each profile its length times the share that is dark.
-    fit = np.linalg.pinv(np.column_stack([1 - s, s]))
-    profile = len(steps) / 2 - ((light - dark) / (bright - dark)).sum(axis=1)
-    # What a unit of light at each sample does to the two ends, also by the levels on both sides.
-    pull = np.repeat(-fit[:, :, None], len(steps), axis=2)
-    share = len(steps) / 2 * fit.sum(axis=1)
-    for columns in edge_columns:
-        pull[:, :, columns] += (share / light[:, columns].size)[:, None, None]
-    pull /= bright - dark
-    weights = np.stack(
-        [np.bincount(index.ravel(), (one[..., None] * weight).ravel()) for one in pull]
-    )
-    nearest = grey.ravel()[np.take_along_axis(index, weight.argmax(-1)[..., None], -1)[..., 0]]
-    level = np.concatenate([nearest[:, columns] for columns in edge_columns], axis=1)
-    variance = _noise(level.astype(np.float64), s) + ROUNDING
-    return Side(normals[[0, -1]], fit @ profile, variance * weights @ weights.T)
+    design = np.stack([1 - s, s], axis=-1)
+    fit = np.linalg.solve(design.transpose(0, 2, 1) @ design, design.transpose(0, 2, 1))
+    share = ((light - dark[:, None, None]) / contrast[:, None, None]).sum(axis=2)
+    offsets = (fit @ (len(steps) / 2 - share)[..., None]).ravel()
+    # What a unit of light at each sample does to them, also by the levels on both sides.
+    pull = np.repeat(-fit[..., None], len(steps), axis=3)
+    common = len(steps) / 2 * fit.sum(axis=2)[..., None, None]
+    for rim in rims:
+        pull[..., rim] += common / light[0, :, rim].size
+    weights = by_pixels(pull / contrast[:, None, None, None])
+    level = np.concatenate([nearest[..., rim] for rim in rims], axis=2)
+    uneven = level - design @ (fit @ level)
+    freedom = 4 * level.shape[2] * (count - 2)
+    variance = (uneven**2).sum() / freedom + ROUNDING
+    return normals[:, [0, -1]], offsets, variance * weights @ weights.T
 
 
-def _line(camera: "CameraModel", ends: Array, s: Array) -> tuple[Array, Array]:
-    """Return places (n, 2) px along a line in space and unit normals (n, 2) to it in the image."""
-    rays = camera.rays(ends)
+def _lines(camera: "CameraModel", corners: Array, s: Array) -> tuple[Array, Array]:
+    """Return places (4, n, 2) px at s (4, n) along lines in space and their normals there."""
+    rays = camera.rays(corners)[:, None]
     step = 1e-3
-    both = np.concatenate([s - step, s + step, s])[:, None]
-    a, b, place = np.split(camera.project(rays[0] + both * (rays[1] - rays[0])), 3)
-    tangent = b - a
-    tangent /= np.hypot(*tangent.T)[:, None]
-    return place, np.column_stack([tangent[:, 1], -tangent[:, 0]])
+    both = np.stack([s, s - step, s + step])[..., None]
+    points = rays + both * (np.roll(rays, -1, axis=0) - rays)
+    place, before, after = camera.project(points.reshape(-1, 3)).reshape(3, *s.shape, 2)
+    along = after - before
+    normals = np.stack([along[..., 1], -along[..., 0]], axis=-1)
+    return place, normals / np.linalg.norm(normals, axis=-1, keepdims=True)
 
 
-def _inside(points: Array, shape: tuple[int, ...]) -> bool:
-    u, v = points[..., 0], points[..., 1]
-    return bool(
-        (u >= 0).all() and (v >= 0).all() and (u < shape[1] - 1).all() and (v < shape[0] - 1).all()
-    )
+def _patch(
+    grey: Image, points: Array
+) -> tuple[Array, NDArray[np.uint8], Callable[[Array], Array]] | None:
+    """Sample an image between its pixels, None where that would be outside of it.
 
+    Returns
+    -------
+    light (4, n, m) at points (4, n, m, 2) px, that of the nearest pixels (4, n, m), and what turns
+    weights (4, 2, n, m) of the samples into weights (8, p) of the pixels that they are made of
+    """
+    low, high = points.min(axis=(0, 1, 2)), points.max(axis=(0, 1, 2))
+    if not ((low >= 0).all() and (high < np.array(grey.shape[::-1]) - 1).all()):
+        return None
+    first, last = np.floor(low).astype(int), np.floor(high).astype(int) + 2
+    patch = grey[first[1] : last[1], first[0] : last[0]]
+    width = patch.shape[1]
+    whole = np.floor(points - first).astype(np.int64)
+    u, v = np.moveaxis(points - first - whole, -1, 0)
+    corner = whole[..., 1] * width + whole[..., 0]
+    index = np.stack([corner, corner + 1, corner + width, corner + width + 1])
+    weight = np.stack([(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v])
+    four = patch.ravel()[index]
+    nearest = np.take_along_axis(four, weight.argmax(axis=0)[None], axis=0)[0]
 
-def _bilinear(points: Array, width: int) -> tuple[NDArray[np.int64], Array]:
-    """Return indices (..., 4) into the flat image of the pixels about each, and weights."""
-    corner = np.floor(points).astype(np.int64)
-    u, v = np.moveaxis(points - corner, -1, 0)
-    first = corner[..., 1] * width + corner[..., 0]
-    index = first[..., None] + np.array([0, 1, width, width + 1])
-    return index, np.stack([(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v], axis=-1)
+    def by_pixels(pull: Array) -> Array:
+        rows = [
+            np.bincount(
+                index[:, side].ravel(), (one * weight[:, side]).ravel(), minlength=patch.size
+            )
+            for side in range(4)
+            for one in pull[side]
+        ]
+        return np.stack(rows)
 
-
-def _noise(level: Array, s: Array) -> float:
-    """Return the variance of light (n, k) about straight lines along the side."""
-    design = np.column_stack([1 - s, s])
-    residual = level - design @ (np.linalg.pinv(design) @ level)
-    return float((residual**2).sum() / (level.size - 2 * level.shape[1]))
+    return (four * weight).sum(axis=0), nearest, by_pixels

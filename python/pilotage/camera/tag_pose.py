@@ -92,7 +92,7 @@ def tag_poses(
     """
     points = size_m / 2 * np.array([[-1, 1, 0], [1, 1, 0], [1, -1, 0], [-1, -1, 0.0]])
     seen, jacobian = _plane(camera, corners)
-    information: Array = np.linalg.inv(jacobian @ covariance @ jacobian.T)
+    information = np.linalg.inv(jacobian @ covariance @ jacobian.T).astype(np.float64)
     _, turns, places, _ = cv2.solvePnPGeneric(
         points, seen, np.eye(3), None, flags=cv2.SOLVEPNP_IPPE_SQUARE
     )
@@ -131,11 +131,11 @@ def _likeliest(
         by_place = np.zeros((4, 2, 3))
         by_place[:, 0, 0] = by_place[:, 1, 1] = 1 / z
         by_place[:, :, 2] = -np.column_stack([x, y]) / z[:, None] ** 2
-        by_turn = np.stack([-one @ _cross(a) for one, a in zip(by_place, arm, strict=True)])
+        by_turn = -by_place @ _cross(arm)
         jacobian = np.concatenate([by_turn, by_place], axis=2).reshape(8, 6)
         residual = (seen - np.column_stack([x, y]) / z[:, None]).ravel()
         weighted = jacobian.T @ information
-        covariance = np.linalg.pinv(weighted @ jacobian, hermitian=True)
+        covariance = np.linalg.inv(weighted @ jacobian)
         step = covariance @ weighted @ residual
         rotation = cv2.Rodrigues(step[:3])[0] @ rotation
         translation = translation + step[3:]
@@ -145,8 +145,12 @@ def _likeliest(
 
 
 def _cross(a: Array) -> Array:
-    """Return the matrix of the product a x."""
-    return np.array([[0, -a[2], a[1]], [a[2], 0, -a[0]], [-a[1], a[0], 0.0]])
+    """Return the matrices (..., 3, 3) of the products a x, of a (..., 3)."""
+    matrix = np.zeros((*a.shape, 3))
+    for row, column, of, sign in ((0, 1, 2, -1), (0, 2, 1, 1), (1, 2, 0, -1)):
+        matrix[..., row, column] = sign * a[..., of]
+        matrix[..., column, row] = -sign * a[..., of]
+    return matrix
 
 
 def _quarter_turns(count: int) -> Array:
