@@ -8,12 +8,16 @@ import numpy as np
 
 from .. import CameraModel
 from ..simulate.fields import within
-from .blobs import EDGE_PX, RING_PX, Blob, Coverage, blobs, coverage
+from .blobs import EDGE_PX, Blob, Coverage, blobs, coverage
 from .colour import Colour, hue_saturation_value
 from .detection import Array, Detection, Image, check_size
 
-SAMPLING_PX = 0.02
-"""What a pixel's finite size leaves of error in a centre line or an end, measured without noise."""
+LINE_SAMPLING_PX = 0.01
+"""What a pixel's finite size leaves of error in a centre line, measured without noise."""
+END_SAMPLING_PX = 0.05
+"""Likewise in an end's row."""
+STRIP_ROWS = 24
+"""Of a pole that are held against one background: it reaches from the grass into the sky."""
 INSIDE_ROWS = 8
 """By which it is judged how light the pole itself is beside its end."""
 UNKNOWN_RAD = 1.0
@@ -73,28 +77,40 @@ class PoleDetector:
         # The ends of a thick pole are round.
         rim = EDGE_PX + 1 + width // 4
         first, last = top + rim, top + height - rim
-        seen = coverage(image, blob)
-        if seen is None or last - first < INSIDE_ROWS // 2:
+        line = self._line(image, blob, first, last)
+        if line is None:
             return None
         upper = None if on_top else _end(image, blob, first, -1)
         lower = None if on_bottom else _end(image, blob, last - 1, 1)
-        return self._detection(label, self._azimuth(seen, first, last), upper, lower, _box(blob))
+        return self._detection(label, line, upper, lower, _box(blob))
 
-    def _azimuth(self, seen: Coverage, first: int, last: int) -> tuple[float, float]:
-        """Return azimuth [rad] and variance [rad^2] of the line midway between the two sides."""
-        rows = (seen.v >= first) & (seen.v < last)
-        alpha, sigma, v = seen.alpha[rows], seen.sigma[rows], seen.v[rows]
-        wide = alpha.sum(axis=1)
-        middle = alpha @ seen.u / wide
-        noise = (((seen.u - middle[:, None]) * sigma) ** 2).sum(axis=1) / wide**2
-        sides = [np.column_stack([middle + half * wide, v]) for half in (-0.5, 0.5)]
+    def _line(self, image: Image, blob: Blob, first: int, last: int) -> tuple[float, float] | None:
+        """Return azimuth [rad] and variance [rad^2] of the centre line between two rows."""
+        if last - first < INSIDE_ROWS // 2:
+            return None
+        strips = np.array_split(np.arange(first, last), max((last - first) // STRIP_ROWS, 1))
+        found = [coverage(image, blob.rows(int(rows[0]), int(rows[-1]) + 1)) for rows in strips]
+        parts = [self._azimuth(seen) for seen in found if seen is not None]
+        if not parts:
+            return None
+        azimuth, variance, floor = np.transpose(parts)
+        weight = 1 / variance
+        total = float(weight.sum())
+        return float(azimuth @ weight) / total, 1 / total + float(floor.mean())
+
+    def _azimuth(self, seen: Coverage) -> tuple[float, float, float]:
+        """Return azimuth [rad] midway between the two sides, its variance and that of sampling."""
+        wide = seen.alpha.sum(axis=1)
+        middle = seen.alpha @ seen.u / wide
+        noise = (((seen.u - middle[:, None]) * seen.sigma) ** 2).sum(axis=1) / wide**2
+        sides = [np.column_stack([middle + half * wide, seen.v]) for half in (-0.5, 0.5)]
         # A side's azimuth and not its pixel: in those the axis is not midway in a wide pole.
         azimuth = np.mean([self.camera.angles(side)[:, 0] for side in sides], axis=0)
-        covariance = np.zeros((len(v), 2, 2))
+        covariance = np.zeros((len(noise), 2, 2))
         covariance[:, 0, 0] = noise
         variance = self.camera.angle_covariance(sides[0], covariance)[:, 0, 0]
-        floor = SAMPLING_PX**2 * np.mean(variance / noise)
-        return float(azimuth.mean()), float(variance.mean() / len(v) + floor)
+        floor = LINE_SAMPLING_PX**2 * np.mean(variance / noise)
+        return float(azimuth.mean()), float(variance.mean() / len(variance)), float(floor)
 
     def _detection(
         self,
@@ -107,9 +123,9 @@ class PoleDetector:
         """Put together what the centre line and the ends that are in view tell."""
         azimuth, variance = line
         distance, slant, sigma = 1.0, math.nan, math.nan
-        down, sigma_down = self._elevation(bottom)
+        down, sigma_down = self._elevation(bottom, azimuth)
         if top is not None and bottom is not None:
-            up, sigma_up = self._elevation(top)
+            up, sigma_up = self._elevation(top, azimuth)
             if not up > down:
                 return None
             distance, slant = self._distance(up, down)
@@ -132,13 +148,17 @@ class PoleDetector:
             outline=outline,
         )
 
-    def _elevation(self, end: End | None) -> tuple[float, float]:
+    def _elevation(self, end: End | None, azimuth: float) -> tuple[float, float]:
         """Return elevation and sigma [rad] of an end."""
         if end is None:
             return 0.0, UNKNOWN_RAD
+        # In its row, the centre line is where its azimuth is: a few rows inside it was elsewhere.
+        elevation = self.camera.angles(end.pixel[None])[0, 1]
+        line = np.array([math.cos(azimuth), math.sin(azimuth), math.tan(elevation)])
+        pixel = np.array([self.camera.project(line[None])[0, 0], end.pixel[1]])
         noise = np.diag([0.0, end.sigma_px**2])[None]
-        variance = self.camera.angle_covariance(end.pixel[None], noise)[0, 1, 1]
-        return float(self.camera.angles(end.pixel[None])[0, 1]), math.sqrt(variance)
+        variance = self.camera.angle_covariance(pixel[None], noise)[0, 1, 1]
+        return float(self.camera.angles(pixel[None])[0, 1]), math.sqrt(variance)
 
     def _distance(self, up: float, down: float) -> tuple[float, float]:
         """Return distance to the axis and slant range to the foot [m] by the ends' elevations."""
@@ -163,7 +183,8 @@ def _end(image: Image, blob: Blob, inside: int, outward: int) -> End | None:
     v, alpha, sigma = seen.v[::outward], seen.alpha[::outward], seen.sigma[::outward]
     body = alpha[:INSIDE_ROWS].sum(axis=0)
     middle, width = float(seen.u @ body / body.sum()), float(body.sum() / INSIDE_ROWS)
-    near = np.abs(seen.u - middle) <= max(0.15 * width, EDGE_PX + RING_PX / 2 if width < 6 else 0.5)
+    # A thin pole shows in all columns; of a thick one the middle counts, for its rim is round.
+    near = np.abs(seen.u - middle) <= (width + EDGE_PX if width < 6 else max(0.08 * width, 1.0))
     light, noise = alpha[:, near].sum(axis=1), (sigma[:, near] ** 2).sum(axis=1)
     plain = light[:INSIDE_ROWS].mean()
     if not plain > 0:
@@ -171,7 +192,7 @@ def _end(image: Image, blob: Blob, inside: int, outward: int) -> End | None:
     beyond = light[INSIDE_ROWS:].sum() / plain
     variance = noise[INSIDE_ROWS:].sum() + beyond**2 * noise[:INSIDE_ROWS].sum() / INSIDE_ROWS**2
     row = v[INSIDE_ROWS - 1] + outward * (0.5 + beyond)
-    return End(np.array([middle, row]), math.hypot(math.sqrt(variance) / plain, SAMPLING_PX))
+    return End(np.array([middle, row]), math.hypot(math.sqrt(variance) / plain, END_SAMPLING_PX))
 
 
 def _in_pixels(camera: CameraModel, pixel: Array, covariance: Array) -> Array:

@@ -20,7 +20,7 @@ FEWEST = 6
 """Places along a side."""
 PASSES = 2
 """The second one looks where the sides are, not where they were believed to be."""
-SAMPLING_PX = 0.02
+SAMPLING_PX = 0.01
 """What a pixel's finite size leaves of error in a corner, measured on renders without noise."""
 
 
