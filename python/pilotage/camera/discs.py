@@ -12,7 +12,7 @@ from .blobs import Blob, blobs, coverage
 from .colour import COLOURS, Colour, hue_saturation_value
 from .detection import Array, Detection, Image, check_size
 
-SAMPLING_PX = 0.01
+SAMPLING_PX = 0.005
 """What a pixel's finite size leaves of error in a blob's centre, measured without noise."""
 BLUR_PX2 = 0.5
 """What pixels and a lens add to a blob's second moments."""

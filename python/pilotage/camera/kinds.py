@@ -69,7 +69,7 @@ def _checked(content: Any, where: str) -> tuple[str, dict[str, Any]]:
     if "kind" not in given:
         raise ValueError(f"{where}: 'kind' is missing, one of {', '.join(KINDS)}")
     kind = given["kind"]
-    if kind not in KINDS:
+    if not isinstance(kind, str) or kind not in KINDS:
         raise ValueError(f"{where}.kind is {kind!r}, expected one of {', '.join(KINDS)}")
     known_keys(given, keys(kind), where)
     del given["kind"]
