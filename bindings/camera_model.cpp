@@ -4,11 +4,14 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "engine/config.hpp"
 #include "engine/intrinsics_file.hpp"
+#include "pilotage/association/nearest_projection.hpp"
 
 namespace py = pybind11;
 
@@ -58,6 +61,39 @@ py::array_t<double> angle_covariance(const CameraModel& camera, const Array<doub
         if (!h.defined) out.setConstant(std::numeric_limits<double>::quiet_NaN());
     }
     return result;
+}
+
+py::array_t<std::int32_t> associate_pixels(const CameraModel& camera,
+                                           const Vector<double, 4>& mounting,
+                                           const Vector<double, 3>& pose, const MarkerMap& map,
+                                           const Array<double>& pixels, double radius_pixel,
+                                           const std::optional<Array<std::int32_t>>& labels) {
+    const py::ssize_t n = pixels.ndim() == 2 ? pixels.shape(0) : pixels.size() / 2;
+    expect_shape(pixels, n, 2, "pixels");
+    if (labels) expect_length(*labels, n, "labels");
+    if (!(radius_pixel > 0))
+        throw py::value_error("radius_pixel is " + std::to_string(radius_pixel) +
+                              ", expected pixels above 0");
+    SensorParams sensor;
+    sensor.x_m = mounting[0];
+    sensor.y_m = mounting[1];
+    sensor.z_m = mounting[2];
+    sensor.yaw_rad = mounting[3];
+    sensor.camera = camera;
+    std::vector<Sighting> seen;
+    for (py::ssize_t i = 0; i < n; ++i)
+        seen.push_back({{pixels.at(i, 0), pixels.at(i, 1), NAN},
+                        {NAN, NAN, NAN},
+                        kUnknownId,
+                        labels ? labels->at(i) : -1});
+    std::vector<const Sighting*> places;
+    for (const Sighting& pixel : seen) places.push_back(&pixel);
+    std::vector<NearestProjection<double>> found(seen.size());
+    find_nearest_projections<double>(pose, map, sensor, radius_pixel, places.data(), places.size(),
+                                     found.data(), [](std::int32_t) { return true; });
+    std::vector<std::int32_t> ids;
+    for (const auto& nearest : found) ids.push_back(nearest.id);
+    return owning_array(std::move(ids));
 }
 
 std::string describe(const CameraModel& camera) {
@@ -141,6 +177,8 @@ ValueError
         .def_property_readonly(
             "distortion", [](const CameraModel& camera) { return camera.intrinsics().distortion; },
             "k1 k2 p1 p2 k3 k4 k5 k6")
+        .def_property_readonly("roll_rad", &CameraModel::roll_rad)
+        .def_property_readonly("pitch_rad", &CameraModel::pitch_rad)
         .def_property_readonly("rotation", &CameraModel::rotation,
                                "(3, 3), from OpenCV's camera frame (x right, y down, z forward) to "
                                "the level sensor frame")
@@ -148,6 +186,27 @@ ValueError
             "widest_rad", [](const CameraModel& camera) { return std::atan(camera.widest()); },
             "Angle from the optical axis within which the distortion is one-to-one.")
         .def("__repr__", &describe);
+    m.def("associate_pixels", &associate_pixels, py::arg("camera"), py::arg("mounting"),
+          py::arg("pose"), py::arg("map"), py::arg("pixels"), py::arg("radius_pixel"),
+          py::arg("labels") = py::none(),
+          R"(Which markers pixels are of: the one projected nearest, within a radius.
+
+Section 2 of Kiriy and Buehler 2002, where the radius is 64. Of two pixels at one marker the nearer has it.
+
+Parameters
+----------
+camera : CameraModel
+mounting : (4,) float, the sensor's x, y, z [m] and yaw [rad] in the robot frame
+pose : (3,) float, x, y [m] and heading [rad] of the robot in frame map
+map : MarkerMap
+pixels : (n, 2) float
+radius_pixel : below which a projection is near
+labels : (n,) int, class of look-alike markers, -1 any
+
+Returns
+-------
+(n,) int32, ids of markers, -1 where there is none
+)");
 }
 
 }  // namespace pilotage::bindings

@@ -2,8 +2,12 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "bindings.hpp"
 #include "engine/config_file.hpp"
+#include "text.hpp"
 
 namespace py = pybind11;
 
@@ -29,7 +33,46 @@ py::object get(Config& config, const std::string& key) {
 void set(Config& config, const std::string& key, const py::object& value) {
     const Field f = find(config, key);
     if (is_map(key)) throw py::value_error("set Config." + key + " instead");
+    if (is_file(key)) throw py::value_error("call Config.set_camera instead of setting " + key);
     f.set(py::str(value), "configuration");
+}
+
+std::vector<std::string> sensors_of(const Config& config, Measures what) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < config.sensor_names.size(); ++i)
+        if (config.params.sensors[i].measures == what) names.push_back(config.sensor_names[i]);
+    return names;
+}
+
+std::size_t number_of(const Config& config, const std::string& sensor) {
+    const auto& names = config.sensor_names;
+    const auto at = std::find(names.begin(), names.end(), sensor);
+    if (at == names.end())
+        throw py::key_error("there is no sensor '" + sensor + "' in the configuration");
+    return static_cast<std::size_t>(at - names.begin());
+}
+
+std::optional<CameraModel> camera_of(const Config& config, const std::string& sensor) {
+    const CameraModel& camera = config.params.sensors[number_of(config, sensor)].camera;
+    return camera.intrinsics().any() ? std::optional(camera) : std::nullopt;
+}
+
+void set_camera(Config& config, const std::string& sensor, const CameraModel& camera) {
+    const std::size_t i = number_of(config, sensor);
+    config.sensor_cameras[i] = {camera.roll_rad(), camera.pitch_rad(), ""};
+    config.params.sensors[i].camera = camera;
+}
+
+py::dict detectors(const Config& config) {
+    if (config.detectors.empty()) return {};
+    const py::object section =
+        py::module_::import("yaml").attr("safe_load")(readable(config.detectors));
+    return py::isinstance<py::dict>(section) ? py::dict(section) : py::dict();
+}
+
+void set_detectors(Config& config, const py::dict& section) {
+    config.detectors = py::str(
+        py::module_::import("yaml").attr("safe_dump")(section, py::arg("sort_keys") = false));
 }
 
 }  // namespace
@@ -69,14 +112,21 @@ sensor that is not there adds it. `describe` lists every key with its value and 
             "Names of the sensors.")
         .def_property_readonly(
             "marker_sensors",
-            [](const Config& config) {
-                std::vector<std::string> names;
-                for (std::size_t i = 0; i < config.sensor_names.size(); ++i)
-                    if (config.params.sensors[i].measures == Measures::markers)
-                        names.push_back(config.sensor_names[i]);
-                return names;
-            },
+            [](const Config& config) { return sensors_of(config, Measures::markers); },
             "Names of those that measure markers.")
+        .def_property_readonly(
+            "pixel_sensors",
+            [](const Config& config) { return sensors_of(config, Measures::pixels); },
+            "Names of those that measure pixels.")
+        .def("camera", &camera_of, py::arg("sensor"),
+             "The CameraModel of a sensor by its name, None if it has no intrinsics; KeyError if "
+             "there is no such sensor.")
+        .def("set_camera", &set_camera, py::arg("sensor"), py::arg("camera"),
+             "Gives a sensor a camera, with its roll and pitch; KeyError if there is no such "
+             "sensor.")
+        .def_property("detectors", &detectors, &set_detectors,
+                      "The section of that name as it stands, by sensor; empty where there is "
+                      "none. The node passes over it.")
         .def_readwrite("map", &Config::map, "The MarkerMap.")
         .def_readwrite("walls", &Config::walls, "The WallMap.");
     m.def("load_config", &load_config, py::arg("path"),

@@ -5,8 +5,8 @@ PYBIND11_MODULE(_core, m) {
     m.doc() = "Pilotage's C++ core and engine.";
     m.attr("__version__") = PILOTAGE_VERSION;
     bind_errors(m);
-    bind_camera_model(m);
     bind_marker_map(m);
+    bind_camera_model(m);
     bind_wall_map(m);
     bind_config(m);
     bind_recording(m);

@@ -9,6 +9,7 @@
 #include "pilotage/gyro_t.hpp"
 #include "pilotage/heading_t.hpp"
 #include "pilotage/marker_frame_t.hpp"
+#include "pilotage/pixel_frame_t.hpp"
 #include "pilotage/pose_fix_t.hpp"
 #include "pilotage/pose_reset_t.hpp"
 #include "pilotage/position_fix_t.hpp"
@@ -61,6 +62,8 @@ bool decode_reset(const std::uint8_t* data, std::size_t size, Decoded& out) {
         return PoseReset{{m.x, m.y, m.heading}, {p[0], p[3], p[4], p[6], p[7], p[8]}};
     });
 }
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::size_t kNameAt = 8 + 8 + 4;  // after fingerprint, utime and seq
 
@@ -115,6 +118,18 @@ bool decode_frame(const std::uint8_t* data, std::size_t size, Decoded& out) {
     return true;
 }
 
+bool decode_pixels(const std::uint8_t* data, std::size_t size, Decoded& out) {
+    pixel_frame_t message;
+    if (!read_list(data, size, 2 * 4 + 4 * 8, message, out)) return false;
+    for (std::size_t i = 0; i < message.observations.size(); ++i) {
+        const pixel_observation_t& o = message.observations[i];
+        const Sighting pixel{{o.u, o.v, kNone}, {o.sigma_u, o.sigma_v, kNone}, o.id, o.label};
+        out.samples.push_back(Sample::make(message.utime, message.seq, Stream::sighting, pixel, 0,
+                                           static_cast<std::uint16_t>(i)));
+    }
+    return true;
+}
+
 bool decode_walls(const std::uint8_t* data, std::size_t size, Decoded& out) {
     wall_range_t message;
     if (!read_list(data, size, 3 * 8, message, out)) return false;
@@ -136,8 +151,6 @@ bool decode_fix(const std::uint8_t* data, std::size_t size, Decoded& out, Conver
     out.samples.push_back(Sample::make(message.utime, message.seq, Stream::fix, fix));
     return true;
 }
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 bool decode_heading(const std::uint8_t* data, std::size_t size, Decoded& out) {
     return decode_fix<heading_t>(data, size, out, [](const heading_t& m) {
@@ -203,6 +216,7 @@ const std::vector<Codec>& codecs() {
         {&velocity_t::getHash, "velocity_t", Kind::velocity, &decode_velocity},
         {&gyro_t::getHash, "gyro_t", Kind::gyro, &decode_gyro},
         {&marker_frame_t::getHash, "marker_frame_t", Kind::frame, &decode_frame},
+        {&pixel_frame_t::getHash, "pixel_frame_t", Kind::pixels, &decode_pixels},
         {&pose_fix_t::getHash, "pose_fix_t", Kind::fix, &decode_pose_fix},
         {&position_fix_t::getHash, "position_fix_t", Kind::fix, &decode_position},
         {&heading_t::getHash, "heading_t", Kind::fix, &decode_heading},

@@ -21,6 +21,7 @@ enum class Kind : std::uint8_t {
     frame,
     fix,
     walls,
+    pixels,
     reset,
     reference,
     tick
@@ -28,7 +29,7 @@ enum class Kind : std::uint8_t {
 
 /// Whether such messages name the sensor that they are of.
 [[nodiscard]] constexpr bool names_sensor(Kind kind) noexcept {
-    return kind == Kind::frame || kind == Kind::fix || kind == Kind::walls;
+    return kind == Kind::frame || kind == Kind::fix || kind == Kind::walls || kind == Kind::pixels;
 }
 
 /// A message as the engine sees it: one stamp, any number of samples.

@@ -51,6 +51,12 @@ enum class ResetPolicy : unsigned char {
 /// Where a sensor's messages come if nothing is said.
 [[nodiscard]] const char* default_channel(Measures measures) noexcept;
 
+/// What the configuration tells of a sensor's camera besides its calibration.
+struct CameraSetup {
+    double roll_rad = 0, pitch_rad = 0;  ///< of the camera body, as CameraModel has them
+    std::string intrinsics_file;         ///< as Config::map_file
+};
+
 struct Config {
     Params params;  ///< sensors in the order of sensor_names
     InputParams encoders{"ENCODERS"};
@@ -62,14 +68,19 @@ struct Config {
     double checkpoint_interval_s = 5;
     std::vector<std::string> sensor_names;
     std::vector<InputParams> sensor_inputs;
+    std::vector<CameraSetup> sensor_cameras;
     MarkerMap map;
     WallMap walls;
     /// As written in the configuration, empty if the map stands in it or is missing.
     std::string map_file, walls_file;
+    /// A section that is not ours, as YAML: what a camera program looks for. Empty if missing.
+    std::string detectors;
 
     /// The sensor's number, added with defaults if it is new. \throws ConfigError, with `where` in
     /// front, past Params::kMaxSensors and for a name that no key could hold
     int sensor(std::string_view name, const std::string& where = "configuration");
+    /// Gives a sensor's camera its calibration, and it stays turned as it is.
+    void calibrate(const std::string& name, const Intrinsics& intrinsics);
 };
 
 /// A configuration, map or key that cannot be used. what() names file, line, key, value and what
@@ -102,9 +113,16 @@ struct Field {
     [[nodiscard]] bool unset() const;  ///< NaN: not written to files
 };
 
-/// Whether the key names a file, or stands for a list written in its place.
+/// Whether the key names a file of a map, or stands for the list written in its place.
 [[nodiscard]] constexpr bool is_map(std::string_view key) noexcept {
     return key == "map" || key == "walls";
+}
+
+/// Likewise of any file: a map's or a camera's.
+[[nodiscard]] constexpr bool is_file(std::string_view key) noexcept {
+    constexpr std::string_view intrinsics = ".intrinsics";
+    return is_map(key) || (key.size() > intrinsics.size() &&
+                           key.substr(key.size() - intrinsics.size()) == intrinsics);
 }
 
 /// Every field of the configuration, in the order of the file. The pointers are into `config`.

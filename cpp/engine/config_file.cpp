@@ -1,74 +1,20 @@
 #include "config_file.hpp"
 
-#include <yaml-cpp/yaml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <set>
 #include <sstream>
 
+#include "intrinsics_file.hpp"
 #include "pilotage/examine.hpp"
+#include "yaml_nodes.hpp"
 
 namespace pilotage {
 
+using namespace yaml;
+
 namespace {
-
-std::string at(const std::string& where, const YAML::Mark& mark) {
-    return mark.is_null() ? where : where + ":" + std::to_string(mark.line + 1);
-}
-
-[[noreturn]] void fail(const std::string& where, const YAML::Node& node, const std::string& what) {
-    throw ConfigError(at(where, node.Mark()) + ": " + what);
-}
-
-std::string read_file(const std::string& path) {
-    std::ifstream file(path);
-    if (!file) throw ConfigError(path + ": cannot be opened; does it exist, and may it be read?");
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-YAML::Node parse_yaml(const std::string& text, const std::string& where) {
-    try {
-        return YAML::Load(text);
-    } catch (const YAML::Exception& error) {
-        throw ConfigError(at(where, error.mark) + ": not YAML: " + error.msg);
-    }
-}
-
-/// Calls visit(key, value) for each pair; yaml-cpp takes a key that comes twice in silence, we do
-/// not.
-template <typename Visit>
-void each_pair(const YAML::Node& map, const std::string& where, const Visit& visit) {
-    std::set<std::string> seen;
-    for (const auto& pair : map) {
-        if (!pair.first.IsScalar()) fail(where, pair.first, "a key must be a word");
-        const std::string key = pair.first.Scalar();
-        if (!seen.insert(key).second) fail(where, pair.first, "key '" + key + "' comes twice");
-        visit(key, pair.first, pair.second);
-    }
-}
-
-double number(const YAML::Node& node, const std::string& what, const std::string& where) {
-    double value = 0;
-    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
-        fail(where, node,
-             what + " is '" + (node.IsScalar() ? node.Scalar() : "not a scalar") +
-                 "', expected a finite number");
-    return value;
-}
-
-/// Of a marker's id or label.
-std::int32_t whole_number(const YAML::Node& node, const std::string& what,
-                          const std::string& where) {
-    const double v = number(node, what, where);
-    if (v != std::floor(v) || v < 0 || v > 2147483647.0)
-        fail(where, node,
-             what + " is '" + node.Scalar() + "', expected a whole number of 0 or more");
-    return static_cast<std::int32_t>(v);
-}
 
 Marker parse_marker(const YAML::Node& node, const std::string& where) {
     if (!node.IsMap())
@@ -139,20 +85,40 @@ WallMap parse_walls(const YAML::Node& list, const std::string& where) {
     return checked_walls(std::move(walls), where);
 }
 
-/// Takes a map that stands in the configuration itself, or the file that it names.
-void apply_map(Config& config, const std::string& key, const YAML::Node& value,
-               const std::string& where, const std::string& folder) {
+/// The name in a key `sensors.NAME.intrinsics`.
+std::string sensor_of(const std::string& key) {
+    const auto dot = key.find('.') + 1;
+    return key.substr(dot, key.rfind('.') - dot);
+}
+
+/// Takes what stands in the configuration itself, or in the file that it names.
+void apply_file(Config& config, const std::string& key, const YAML::Node& value,
+                const std::string& where, const std::string& folder) {
     std::string name = where;
     YAML::Node list = value;
     if (value.IsScalar()) {
-        name = value.Scalar();
-        if (name.front() != '/' && !folder.empty()) name = folder + "/" + name;
-        list = parse_yaml(read_file(name), name);
+        name = beside(folder, value.Scalar());
+        list = parse_yaml(key == "map" || key == "walls" ? read_file(name) : read_calibration(name),
+                          name);
     }
     if (key == "map")
         config.map = parse_map(list, name);
-    else
+    else if (key == "walls")
         config.walls = parse_walls(list, name);
+    else
+        config.calibrate(sensor_of(key), parse_intrinsics(list, name));
+}
+
+/// Of a section that is kept as it stands: what no reader of YAML takes in one way only.
+void check_kept(const YAML::Node& node, const std::string& where, int depth = 0) {
+    constexpr int deepest = 20;  // an alias may hold what it stands in
+    if (depth > deepest) fail(where, node, "this is nested too deep");
+    if (node.IsMap())
+        each_pair(node, where, [&](const std::string&, const YAML::Node&, const YAML::Node& value) {
+            check_kept(value, where, depth + 1);
+        });
+    else if (node.IsSequence())
+        for (const auto& item : node) check_kept(item, where, depth + 1);
 }
 
 /// Whether there are keys under it.
@@ -169,9 +135,15 @@ void apply(Config& config, const YAML::Node& node, const std::string& prefix,
               [&](const std::string& name, const YAML::Node& at_key, const YAML::Node& value) {
                   const std::string key = prefix + name;
                   const std::string line = at(where, at_key.Mark());
-                  const bool map = is_map(key);
-                  if (map && !value.IsScalar()) {
-                      apply_map(config, key, value, where, folder);
+                  const bool file = is_file(key);
+                  if (key == "detectors") {
+                      if (!value.IsMap() && !value.IsNull())
+                          fail(where, at_key, "'detectors' is a section, by sensor");
+                      check_kept(value, where);
+                      config.detectors = YAML::Dump(value);
+                  } else if (file && !value.IsScalar()) {
+                      (void)field(config, key, line);  // an unknown key is named
+                      apply_file(config, key, value, where, folder);
                   } else if (value.IsMap()) {
                       if (prefix == "sensors.") {
                           config.sensor(name, line);
@@ -191,7 +163,7 @@ void apply(Config& config, const YAML::Node& node, const std::string& prefix,
                       apply(config, value, key + ".", where, folder);
                   } else if (value.IsScalar()) {
                       field(config, key, line).set(value.Scalar(), at(where, value.Mark()));
-                      if (map) apply_map(config, key, value, where, folder);
+                      if (file) apply_file(config, key, value, where, folder);
                   } else {
                       fail(where, at_key, "'" + key + "' needs a value");
                   }
@@ -267,13 +239,22 @@ std::string to_yaml(const Config& config) {
     YAML::Node root(YAML::NodeType::Map);
     for (const Field& f : fields(copy)) {
         if (f.unset() || is_map(f.key)) continue;
+        const Intrinsics* camera = nullptr;
+        if (is_file(f.key)) {
+            camera = &copy.params.sensors[copy.sensor(sensor_of(f.key))].camera.intrinsics();
+            if (!camera->any()) continue;
+        }
         YAML::Node node = root;
         std::istringstream path(f.key);
         std::string part, last;
         for (std::getline(path, last, '.'); std::getline(path, part, '.'); last = part)
             node.reset(node[last]);
-        node[last] = f.text();
+        if (camera != nullptr)
+            node[last] = to_node(*camera);
+        else
+            node[last] = f.text();
     }
+    if (!config.detectors.empty()) root["detectors"] = YAML::Load(config.detectors);
     std::ostringstream text;
     text << root << "\n";
     if (!config.map.markers().empty()) text << "map:\n" << to_yaml(config.map);

@@ -13,7 +13,7 @@
 namespace pilotage {
 
 const char* default_channel(Measures measures) noexcept {
-    constexpr const char* channels[] = {"MARKERS", "FIX", "WALLS"};
+    constexpr const char* channels[] = {"MARKERS", "FIX", "WALLS", "PIXELS"};
     return channels[static_cast<int>(measures)];
 }
 
@@ -49,16 +49,18 @@ void add_calibration(std::vector<Field>& list, const std::string& name, Calibrat
 
 /// Only keys that have a meaning for what the sensor measures.
 void add_sensor(std::vector<Field>& list, const std::string& name, InputParams& input,
-                SensorParams& s) {
+                CameraSetup& camera, SensorParams& s) {
     const std::string prefix = "sensors." + name + ".";
     const auto add = [&](const char* key, auto value, Range range, const char* meaning) {
         list.push_back({prefix + key, value, range, meaning});
     };
-    const bool markers = s.measures == Measures::markers, pose = s.measures == Measures::pose;
-    add("measures", choice(s.measures, {"markers", "pose", "walls"}), Range::any,
+    const bool markers = s.measures == Measures::markers, pose = s.measures == Measures::pose,
+               walls = s.measures == Measures::walls, pixels = s.measures == Measures::pixels;
+    add("measures", choice(s.measures, {"markers", "pose", "walls", "pixels"}), Range::any,
         "markers: their bearing, elevation and range (marker_frame_t); pose: its own position, "
         "heading or both (position_fix_t, heading_t, pose_fix_t); walls: their range along beams "
-        "(wall_range_t); to be said before what depends on it");
+        "(wall_range_t); pixels: where a camera sees markers in its image (pixel_frame_t); to be "
+        "said before what depends on it");
     // A channel that nobody named is that of what is measured.
     list.back().changed = [&input, &s, before = s.measures] {
         if (input.channel == default_channel(before)) input.channel = default_channel(s.measures);
@@ -66,12 +68,30 @@ void add_sensor(std::vector<Field>& list, const std::string& name, InputParams& 
     add_input(list, prefix, input);
     add("x_m", &s.x_m, Range::any, "mounting, forward of the mid-axis");
     add("y_m", &s.y_m, Range::any, "mounting, left of the mid-axis");
-    if (markers) add("z_m", &s.z_m, Range::any, "mounting, above the ground");
+    if (!walls) add("z_m", &s.z_m, Range::any, "mounting, above the ground");
     add("yaw_rad", &s.yaw_rad, Range::any, "mounting, left positive");
+    if (!walls) {
+        const auto turn = [&s, &camera] {
+            s.camera = {s.camera.intrinsics(), camera.roll_rad, camera.pitch_rad};
+        };
+        add("roll_rad", &camera.roll_rad, Range::any, "of a camera, right side down positive");
+        list.back().changed = turn;
+        add("pitch_rad", &camera.pitch_rad, Range::any, "of a camera, down positive");
+        list.back().changed = turn;
+        add("intrinsics", &camera.intrinsics_file, Range::any,
+            "a camera's calibration as OpenCV or ROS writes it, relative to this file; or its "
+            "content");
+        add("sigma_pixel", &s.sigma_pixel, Range::positive,
+            "noise of u and of v where a camera sees something [px]");
+    }
+    if (pixels)
+        add("association_radius_pixel", &s.association_radius_pixel, Range::not_negative,
+            "without an id, of the marker projected nearest within this [px]; 0: of what the "
+            "uncertainty of pose and pixel allows");
     if (pose) {
         add("sigma_position_m", &s.sigma_position_m, Range::positive, "noise of x and of y");
         add("sigma_heading_rad", &s.sigma_heading_rad, Range::positive, "noise of a heading");
-    } else {
+    } else if (!pixels) {
         if (markers) {
             add("sigma_bearing_rad", &s.sigma_bearing_rad, Range::positive, "noise of a bearing");
             add("sigma_elevation_rad", &s.sigma_elevation_rad, Range::positive,
@@ -216,7 +236,14 @@ int Config::sensor(std::string_view name, const std::string& where) {
                         std::to_string(Params::kMaxSensors) + " sensors");
     sensor_names.emplace_back(name);
     sensor_inputs.push_back({default_channel(Measures::markers)});
+    sensor_cameras.emplace_back();
     return params.sensor_count++;
+}
+
+void Config::calibrate(const std::string& name, const Intrinsics& intrinsics) {
+    const auto i = static_cast<std::size_t>(sensor(name));
+    params.sensors[i].camera = {intrinsics, sensor_cameras[i].roll_rad,
+                                sensor_cameras[i].pitch_rad};
 }
 
 std::vector<Field> fields(Config& c) {
@@ -276,10 +303,8 @@ std::vector<Field> fields(Config& c) {
     add("tilt.roll_sigma_rad", &p.tilt.roll_sigma_rad, Range::not_negative, "likewise, roll");
     add("tilt.tau_s", &p.tilt.tau_s, Range::not_negative,
         "for how long a tilt lasts; 0: new in every frame");
-    for (int i = 0; i < p.sensor_count; ++i)
-        add_sensor(list, c.sensor_names[static_cast<std::size_t>(i)],
-                   c.sensor_inputs[static_cast<std::size_t>(i)],
-                   p.sensors[static_cast<std::size_t>(i)]);
+    for (std::size_t i = 0; i < c.sensor_names.size(); ++i)
+        add_sensor(list, c.sensor_names[i], c.sensor_inputs[i], c.sensor_cameras[i], p.sensors[i]);
     add("initial.x_m", &p.initial.x_m, Range::unset_or_any,
         "start; without it the pose is found from sightings, or set by a pose_reset_t");
     add("initial.y_m", &p.initial.y_m, Range::unset_or_any, "start");
@@ -364,7 +389,7 @@ void Field::set(const std::string& text, const std::string& where) const {
         if (!parse(text, v) || v < 1 || v > 1'000'000) refuse("a whole number from 1 to 1000000");
         **integer = v;
     } else if (const auto* string = std::get_if<std::string*>(&value)) {
-        const bool file = is_map(key);
+        const bool file = is_file(key);
         if (file ? text.empty() : !is_name(text)) refuse(file ? "a file" : kNameExpected);
         **string = text;
     } else {
@@ -423,10 +448,15 @@ std::string missing(const Config& config) {
                            [&](const SensorParams& s) { return s.measures == what; });
     };
     if (config.params.sensor_count == 0) return "'sensors' is missing: name at least one";
-    if (measures(Measures::markers) && config.map.markers().empty())
+    if ((measures(Measures::markers) || measures(Measures::pixels)) && config.map.markers().empty())
         return "'map' is missing: name a file of markers";
     if (measures(Measures::walls) && config.walls.walls().empty())
         return "'walls' is missing: name a file of walls";
+    for (std::size_t i = 0; i < config.sensor_names.size(); ++i)
+        if (const SensorParams& s = config.params.sensors[i];
+            s.measures == Measures::pixels && !s.camera.intrinsics().any())
+            return "'sensors." + config.sensor_names[i] +
+                   ".intrinsics' is missing: name the file of the camera's calibration";
     return "";
 }
 

@@ -27,7 +27,7 @@ constexpr std::int64_t kEver = std::numeric_limits<std::int64_t>::max();
 }
 
 Kind kind_of(Measures measures) noexcept {
-    constexpr Kind kinds[] = {Kind::frame, Kind::fix, Kind::walls};
+    constexpr Kind kinds[] = {Kind::frame, Kind::fix, Kind::walls, Kind::pixels};
     return kinds[static_cast<int>(measures)];
 }
 

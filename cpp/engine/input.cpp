@@ -80,10 +80,10 @@ void Input::reported(const SightingReport& report, double distance_m) noexcept {
     if (report.verdict != Verdict::fused && report.verdict != Verdict::gate) return;
     const double contradicts = report.agrees ? 0 : 1;
     contradiction_ += 0.02 * (contradicts - contradiction_);
-    if (kind_ != Kind::frame) return;
+    if (kind_ != Kind::frame && kind_ != Kind::pixels) return;
     double& of_marker = contradiction_by_marker_[report.id];
     of_marker += 0.2 * (contradicts - of_marker);
-    if (report.agrees && report.sigma[kElevation] > 0)
+    if (kind_ == Kind::frame && report.agrees && report.sigma[kElevation] > 0)
         elevations_.add(report.innovation[kElevation], report.sigma[kElevation], distance_m);
 }
 
@@ -145,7 +145,7 @@ std::string Input::rate_problem() const {
 std::string Input::contradictions() const {
     const std::string all =
         words("%.0f %% of the latest %s contradict the pose", 100 * contradiction_,
-              kind_ == Kind::frame ? "sightings" : "measurements");
+              kind_ == Kind::frame || kind_ == Kind::pixels ? "sightings" : "measurements");
     if (contradiction_ > 0.5) return all;
     for (const auto& [id, share] : contradiction_by_marker_)
         if (share > 0.7)

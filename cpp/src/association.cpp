@@ -1,5 +1,6 @@
 #include "pilotage/association.hpp"
 
+#include "pilotage/association/nearest_projection.hpp"
 #include "pilotage/association/reach.hpp"
 #include "pilotage/noise_scale.hpp"
 
@@ -18,7 +19,39 @@ bool insert(Contender<Scalar>& c, const Pairing<Scalar>& pairing) noexcept {
     return true;
 }
 
+/// What Reach takes for a pixel. A tilt of the body turns a bearing by the tangent of the
+/// elevation; where that is steep, a bearing tells nothing.
+Sighting seen_about(const Sighting& pixel, const SensorParams& sensor, double tilt_variance) {
+    constexpr double steep = 3;
+    Sighting angles = angles_of(pixel, sensor);
+    const double slope = std::abs(std::tan(angles.value[kElevation]));
+    if (slope > steep) angles.value[kBearing] = NAN;
+    angles.sigma[kBearing] = std::hypot(angles.sigma[kBearing], slope * std::sqrt(tilt_variance));
+    return angles;
+}
+
 }  // namespace
+
+/// The paper's way: see nearest_projection.hpp.
+template <typename Scalar>
+void Associator<Scalar>::resolve_nearest(const Pose<Scalar>& robot, const MarkerMap& map,
+                                         const SensorParams& sensor) noexcept {
+    const Sighting* unknown[kMaxSightings];
+    int index[kMaxSightings];
+    std::size_t count = 0;
+    for (int i = 0; i < size_; ++i) {
+        if (sightings_[i]->id != kUnknownId) continue;
+        index[count] = i;
+        unknown[count++] = sightings_[i];
+    }
+    NearestProjection<Scalar> nearest[kMaxSightings];
+    find_nearest_projections(robot, map, sensor, sensor.association_radius_pixel, unknown, count,
+                             nearest, [&](std::int32_t id) { return !seen_by_id(id); });
+    for (std::size_t i = 0; i < count; ++i)
+        found_[index[i]] = {nearest[i].id,
+                            nearest[i].id == kUnknownId ? Verdict::no_match : Verdict::pending};
+    nodes_ = 0;
+}
 
 template <typename Scalar>
 bool Associator<Scalar>::seen_by_id(std::int32_t id) const noexcept {
@@ -32,6 +65,8 @@ void Associator<Scalar>::resolve(const Pose<Scalar>& robot, const Matrix<Scalar,
                                  const MarkerMap& map, const SensorParams& sensor,
                                  const Policy& policy, Scalar tilt_variance,
                                  double stated_scale) noexcept {
+    const bool pixels = sensor.measures == Measures::pixels;
+    if (pixels && sensor.association_radius_pixel > 0) return resolve_nearest(robot, map, sensor);
     const SensorPlace<Scalar> place(robot, covariance, sensor);
     const Deviation<Scalar> before(Vector<Scalar, 3>::Zero(), covariance);
     Contender<Scalar>* contenders[kMaxSightings];
@@ -43,7 +78,9 @@ void Associator<Scalar>::resolve(const Pose<Scalar>& robot, const Matrix<Scalar,
         c.size = 0;
         c.index = i;
         bool crowded = false;
-        const Reach<Scalar> reach(place, sighting, sensor, policy);
+        const Sighting about =
+            pixels ? seen_about(sighting, sensor, double(tilt_variance)) : sighting;
+        const Reach<Scalar> reach(place, about, sensor, policy);
         const std::int32_t label = map.wanted_label(sighting.label);
         for (const Marker& marker : map.markers()) {
             if (label >= 0 && marker.label != label) continue;

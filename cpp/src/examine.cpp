@@ -63,6 +63,16 @@ bool usable(const Sighting& sighting) noexcept {
     return measured > 0;
 }
 
+/// Of a sensor of pixels.
+Verdict examine_pixel(const Sighting& pixel, const CameraModel& camera) noexcept {
+    for (int i = 0; i < 2; ++i)
+        if (!std::isfinite(pixel.value[i]) || !usable_spread(pixel.sigma[i]))
+            return Verdict::bad_value;
+    const Vector<double, 2> at(pixel.value[0], pixel.value[1]);
+    return camera.in_image(at) && camera.ray(at).defined ? Verdict::pending
+                                                         : Verdict::outside_image;
+}
+
 }  // namespace
 
 Matrix<double, 3> symmetric_of(const double (&lower)[6]) noexcept {
@@ -98,6 +108,9 @@ Verdict examine(const Sample& sample, const Params& params) noexcept {
                        : Verdict::pending;
         }
         case Stream::sighting:
+            if (const SensorParams& sensor = params.sensors[sample.source];
+                sensor.measures == Measures::pixels)
+                return examine_pixel(payload.sighting, sensor.camera);
             if (!usable(payload.sighting)) return Verdict::bad_value;
             return near(payload.sighting.value);
         case Stream::fix:

@@ -6,6 +6,7 @@
 
 #include "pilotage/examine.hpp"
 #include "pilotage/fuse_fix.hpp"
+#include "pilotage/fuse_pixel.hpp"
 #include "pilotage/fuse_sighting.hpp"
 #include "pilotage/search/occam.hpp"
 #include "pilotage/sighting_report.hpp"
@@ -29,11 +30,23 @@ struct Variances {
 double variance_by_pose(int component, const Pose<double>& robot,
                         const Matrix<double, 3>& covariance, const Marker& marker,
                         const Sighting& sighting, const SensorParams& sensor) noexcept {
-    const auto held = hold_against<double>(
-        robot, marker, sighting, sensor, Bearing<double>{}, Elevation<double>{},
-        Range<double>{sensor.range_scale, sensor.range_offset_m});
-    const auto h = held.jacobian.row(component);
-    return h.dot(h * covariance);
+    const auto of_pose = [&](const auto& held) {
+        const auto h = held.jacobian.row(component);
+        return h.dot(h * covariance);
+    };
+    if (sensor.measures == Measures::pixels)
+        return of_pose(hold_pixel_against(robot, marker, sighting, sensor));
+    return of_pose(hold_against<double>(robot, marker, sighting, sensor, Bearing<double>{},
+                                        Elevation<double>{},
+                                        Range<double>{sensor.range_scale, sensor.range_offset_m}));
+}
+
+/// R
+double variance_by_sensor(int component, const Sighting& sighting, const SensorParams& sensor,
+                          double predicted) noexcept {
+    return sensor.measures == Measures::pixels
+               ? pixel_variance(sighting, component, sensor)
+               : sensor_variance(sighting, ComponentIndex(component), sensor, predicted);
 }
 
 }  // namespace
@@ -90,6 +103,9 @@ SightingReport Fixer<Scalar, N>::sight(Track& track, const Sample& sample,
 template <typename Scalar, int N>
 void Fixer<Scalar, N>::follow(Track& track, const Pose<double>& odometry,
                               const SightingReport& report) const noexcept {
+    if (report.verdict == Verdict::out_of_view)
+        track.agreement.add(kNowhere, report.dof,
+                            policies_[report.sensor].gate_nis[report.dof - 1]);
     if (report.verdict != Verdict::fused && report.verdict != Verdict::gate) return;
     track.keep_odometry(odometry);
     track.agreement.add(report.nis, report.dof, policies_[report.sensor].gate_nis[report.dof - 1]);
@@ -132,8 +148,12 @@ template <typename Scalar, int N>
 SightingReport Fixer<Scalar, N>::fuse(Track& track, const Sample& sample) const noexcept {
     const SensorParams& sensor = params_.sensors[sample.source];
     const Policy& policy = policies_[sample.source];
-    const auto fuse = params_.filter == Filter::ukf ? &fuse_sighting<Filter::ukf, Scalar, N>
-                                                    : &fuse_sighting<Filter::ekf, Scalar, N>;
+    const bool pixels = sensor.measures == Measures::pixels;
+    const auto fuse =
+        params_.filter == Filter::ukf
+            ? pixels ? &fuse_pixel<Filter::ukf, Scalar, N> : &fuse_sighting<Filter::ukf, Scalar, N>
+        : pixels ? &fuse_pixel<Filter::ekf, Scalar, N>
+                 : &fuse_sighting<Filter::ekf, Scalar, N>;
     if (!params_.noise.adapts()) return fuse(track.filter, sample, map_, sensor, policy);
     const double scale = track.noise.sensor(sample.source);
     Sample noisy = sample;
@@ -144,10 +164,10 @@ SightingReport Fixer<Scalar, N>::fuse(Track& track, const Sample& sample) const 
     const SightingReport report = fuse(track.filter, noisy, map_, noisy_sensor, policy);
     learn(track, report, [&](int c) {
         const Sighting& sighting = noisy.payload.sighting;
-        return Variances{sensor_variance(sighting, ComponentIndex(c), noisy_sensor,
-                                         sighting.value[c] - report.innovation[c]),
-                         variance_by_pose(c, robot, covariance, *map_.find(sighting.id), sighting,
-                                          noisy_sensor)};
+        return Variances{
+            variance_by_sensor(c, sighting, noisy_sensor, sighting.value[c] - report.innovation[c]),
+            variance_by_pose(c, robot, covariance, *map_.find(sighting.id), sighting,
+                             noisy_sensor)};
     });
     return report;
 }
@@ -159,14 +179,15 @@ template <typename Variance>
 void Fixer<Scalar, N>::learn(Track& track, const SightingReport& report,
                              const Variance& variance_of) const noexcept {
     if (!track.confirmed || std::isnan(report.nis)) return;
-    const bool tilts =
-        params_.tilt.any() && params_.sensors[report.sensor].measures == Measures::markers;
+    const Measures measures = params_.sensors[report.sensor].measures;
+    const bool pixels = measures == Measures::pixels;
+    const bool tilts = params_.tilt.any() && (pixels || measures == Measures::markers);
     each<3>([&](int c) {
         if (std::isnan(report.sigma[c])) return;
         const double variance = report.sigma[c] * report.sigma[c];
         const double squared = report.innovation[c] * report.innovation[c] / variance;
         const Variances of = variance_of(c);
-        const bool by_tilt = tilts && c == kElevation;
+        const bool by_tilt = tilts && (pixels || c == kElevation);
         track.noise.learn(report.sensor, squared, of.sensor / variance,
                           by_tilt ? 0 : of.pose / variance);
     });
@@ -175,7 +196,10 @@ void Fixer<Scalar, N>::learn(Track& track, const SightingReport& report,
 template <typename Scalar, int N>
 Evidence Fixer<Scalar, N>::evidence(const Track& track, const Sample& sample,
                                     const PoseSearch& search) const noexcept {
-    const Sighting& sighting = sample.payload.sighting;
+    const SensorParams& sensor = params_.sensors[sample.source];
+    const Sighting sighting = sensor.measures == Measures::pixels
+                                  ? angles_of(sample.payload.sighting, sensor)
+                                  : sample.payload.sighting;
     const double log_likelihood =
         track.located
             ? search.log_likelihood(track.pose(), track.covariance(), sighting, sample.source)

@@ -9,9 +9,10 @@ namespace pilotage::test {
 
 namespace {
 
-constexpr const char* kChannels[] = {
-    "ENCODERS",   "GYRO",        "VELOCITY", "MARKERS",  "OTHER_MARKERS", "POSE_RESET", "POSE",
-    kTickChannel, kSetupChannel, "",         "\x01\xff", "REFERENCE",     "FIX",        "WALLS"};
+constexpr const char* kChannels[] = {"ENCODERS",      "GYRO",       "VELOCITY", "MARKERS",
+                                     "OTHER_MARKERS", "POSE_RESET", "POSE",     kTickChannel,
+                                     kSetupChannel,   "",           "\x01\xff", "REFERENCE",
+                                     "FIX",           "WALLS",      "PIXELS"};
 
 /// Sums of absurd numbers wrap instead of overflowing.
 std::int64_t sum(std::int64_t a, std::int64_t b) noexcept {
@@ -114,12 +115,30 @@ marker_frame_t Peer::some_frame() {
     return m;
 }
 
-/// What needs no marker.
+pixel_frame_t Peer::some_pixels() {
+    static const char* const names[] = {"film", "film", "film", "camera", ""};
+    pixel_frame_t m = pixels(time(), draws_.one_of(names), {}, next_seq());
+    m.n = draws_.below(5);
+    for (int i = 0; i < m.n; ++i) {
+        // Mostly in the image.
+        const bool odd = draws_.below(8) == 0;
+        const double u = odd ? draws_.number() : 3 * draws_.byte(), v = 2 * draws_.byte();
+        pixel_observation_t o = spotted(draws_.below(5) - 1, u, v);
+        if (draws_.below(4) == 0) o.sigma_u = draws_.number();
+        if (draws_.below(4) == 0) o.sigma_v = draws_.number();
+        m.observations.push_back(o);
+    }
+    return m;
+}
+
+/// What is of none of these: fixes, walls, pixels, truth.
 void Peer::measure_otherwise() {
     static const char* const names[] = {"gps", "gps", "laser", "camera", ""};
     const std::int64_t utime = time();
     const char* sensor = draws_.one_of(names);
-    switch (draws_.below(5)) {
+    switch (draws_.below(6)) {
+        case 4:
+            return say("PIXELS", some_pixels());
         case 0:
             return say("FIX", heading(utime, sensor, draws_.number(), draws_.number(), next_seq()));
         case 1: {

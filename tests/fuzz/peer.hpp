@@ -32,6 +32,7 @@ class Peer {
     [[nodiscard]] std::int64_t time();
     [[nodiscard]] std::int32_t next_seq() noexcept;
     [[nodiscard]] marker_frame_t some_frame();
+    [[nodiscard]] pixel_frame_t some_pixels();
     [[nodiscard]] pose_reset_t some_reset();
     void measure_otherwise();
     void prepare_mishap();

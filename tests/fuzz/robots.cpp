@@ -26,11 +26,17 @@ void set_any_key(Config& config, Draws& draws) {
     }
 }
 
-/// Such as need no marker.
-void add_other_sensors(Config& c) {
+/// Such as send something else than angles and ranges of markers.
+void add_other_sensors(Config& c, Draws& draws) {
     field(c, "sensors.gps.measures", "fuzz").set("pose", "fuzz");
     field(c, "sensors.gps.x_m", "fuzz").set("0.5", "fuzz");
     field(c, "sensors.laser.measures", "fuzz").set("walls", "fuzz");
+    field(c, "sensors.film.measures", "fuzz").set("pixels", "fuzz");
+    field(c, "sensors.film.z_m", "fuzz").set("1", "fuzz");
+    field(c, "sensors.film.pitch_rad", "fuzz").set("0.2", "fuzz");
+    if (draws.below(2) == 1)
+        field(c, "sensors.film.association_radius_pixel", "fuzz").set("64", "fuzz");
+    c.calibrate("film", {640, 480, 400, 400, 320, 240, {-0.2, 0.05, 0.001, 0, 0, 0, 0, 0}});
     c.walls = WallMap({{-5, -3, 5, -3}, {5, -3, 5, 3}, {5, 3, -5, 3}, {-5, 3, -5, -3}});
 }
 
@@ -51,7 +57,7 @@ Config some_robot(Draws& draws) {
     p.history.window_s = draws.one_of(windows_s);
     c.sensor("camera");
     if (kind & 8) c.sensor("lidar");
-    if (kind & 64) add_other_sensors(c);
+    if (kind & 64) add_other_sensors(c, draws);
     if (kind & 128) p.filter = Filter::ukf;
     for (int i = 0; i < p.sensor_count; ++i)
         p.sensors[static_cast<std::size_t>(i)].fusion = static_cast<Fusion>(draws.below(3));

@@ -6,6 +6,8 @@
 /// Mahalanobis distance first), or of none: another robot, a reflection. The frame's sightings are
 /// assigned together (joint_search.hpp). Where a nearly as likely assignment says otherwise a
 /// sighting is left out: a wrong marker costs more than a sighting.
+///
+/// Pixels with a radius are of what is projected nearest instead (nearest_projection.hpp).
 
 #include <cstdint>
 #include <vector>
@@ -60,6 +62,8 @@ class Associator {
     [[nodiscard]] int nodes() const noexcept { return nodes_; }
 
    private:
+    void resolve_nearest(const Pose<Scalar>& robot, const MarkerMap& map,
+                         const SensorParams& sensor) noexcept;
     [[nodiscard]] bool seen_by_id(std::int32_t id) const noexcept;
     void decide(const JointSearch<Scalar>& search, Contender<Scalar>* const* contenders,
                 int size) noexcept;

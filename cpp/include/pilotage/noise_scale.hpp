@@ -68,7 +68,7 @@ class NoiseScale {
 /// A sensor whose sigmas are so many times as large.
 [[nodiscard]] inline SensorParams scaled(SensorParams sensor, double scale) noexcept {
     for (double* sigma : {&sensor.sigma_bearing_rad, &sensor.sigma_elevation_rad,
-                          &sensor.sigma_range_m, &sensor.sigma_range_per_m})
+                          &sensor.sigma_range_m, &sensor.sigma_range_per_m, &sensor.sigma_pixel})
         *sigma *= scale;
     return sensor;
 }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "pilotage/filter/policy.hpp"
+#include "pilotage/sensing/camera_model.hpp"
 
 namespace pilotage {
 
@@ -86,6 +87,7 @@ enum class Measures : unsigned char {
     markers,  ///< bearing, elevation and range of them, or some of these
     pose,     ///< its own position, its own heading, or both
     walls,    ///< range along beams to the walls of the map
+    pixels,   ///< where markers are in a camera's image
 };
 
 /// One sensor: where it sits and how well it measures.
@@ -100,7 +102,10 @@ struct SensorParams {
     double range_offset_m = 0;      ///< reported at range zero
     double sigma_position_m = 0.1;  ///< of x and of y
     double sigma_heading_rad = 0.05;
-    double min_distance_m = 0.05;  ///< nearer markers have no usable direction
+    CameraModel camera;                   ///< of a sensor of pixels
+    double sigma_pixel = 1;               ///< of u and of v [px]
+    double association_radius_pixel = 0;  ///< 0: associated by likelihood, as other sightings are
+    double min_distance_m = 0.05;         ///< nearer markers have no usable direction
     Fusion fusion = Fusion::student_t;
     double gate_false_reject = 0.001;
     double student_t_dof = 4;

@@ -34,7 +34,8 @@ struct BodyVelocity {
 inline constexpr std::int32_t kUnknownId = -1;  ///< of a sighting: its marker is to be found
 
 /// One marker in one frame; NaN values were not measured, NaN sigmas are as configured.
-/// Components in the order bearing [rad], elevation [rad], range [m].
+/// Components in the order bearing [rad], elevation [rad], range [m]; of a sensor of pixels u, v
+/// [px] (held_pixel.hpp).
 struct Sighting {
     double value[3];
     double sigma[3];

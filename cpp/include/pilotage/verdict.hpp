@@ -12,6 +12,7 @@ enum class Verdict : std::uint8_t {
     // Rejected, by reason:
     bad_value,        ///< not finite, nothing measured, or a sigma that is not positive
     implausible,      ///< faster than the robot can be
+    outside_image,    ///< a pixel that the camera has not, or where its lens shows nothing
     not_initialized,  ///< there is no pose to fuse it with yet; it serves to find one
     before_motion,    ///< older than the first motion sample
     late,             ///< older than the history window
@@ -22,6 +23,7 @@ enum class Verdict : std::uint8_t {
     counter_reset,    ///< encoder counts jumped; the motion of this step is unknown
     unknown_marker,   ///< no such id in the map
     too_close,        ///< the marker has no usable direction
+    out_of_view,      ///< the marker is where the camera cannot see it
     gate,             ///< NIS above the gate
     numeric,          ///< the update would not have been finite and positive semi-definite
     no_match,         ///< without an id, and no marker of the map explains it
@@ -42,10 +44,10 @@ inline constexpr int kVerdicts = static_cast<int>(Verdict::ambiguous_match) + 1;
 /// Word for reports, statistics and logs.
 [[nodiscard]] constexpr const char* name(Verdict v) noexcept {
     constexpr const char* names[kVerdicts] = {
-        "pending",       "fused",         "bad_value",      "implausible", "not_initialized",
-        "before_motion", "late",          "clock",          "not_allowed", "duplicate",
-        "no_motion",     "counter_reset", "unknown_marker", "too_close",   "gate",
-        "numeric",       "no_match",      "ambiguous_match"};
+        "pending",         "fused",         "bad_value",     "implausible",    "outside_image",
+        "not_initialized", "before_motion", "late",          "clock",          "not_allowed",
+        "duplicate",       "no_motion",     "counter_reset", "unknown_marker", "too_close",
+        "out_of_view",     "gate",          "numeric",       "no_match",       "ambiguous_match"};
     return names[static_cast<int>(v)];
 }
 
@@ -62,8 +64,8 @@ inline constexpr int kVerdicts = static_cast<int>(Verdict::ambiguous_match) + 1;
     }
 }
 
-/// A sighting's full story. Components in the order bearing [rad], elevation [rad], range [m]; NaN
-/// where not measured or not computed.
+/// A sighting's full story. Components in the order bearing [rad], elevation [rad], range [m], of
+/// pixels u, v [px]; NaN where not measured or not computed.
 struct SightingReport {
     std::int64_t utime;  ///< us, time of capture
     std::int32_t frame_seq;

@@ -1,9 +1,14 @@
 """`pilotage simulate`: a recording of a drive that never was."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from ..simulate import Scenario
 
 PATIENCE_S = 60.0
 """For somebody to start a node in another terminal."""
@@ -14,13 +19,22 @@ def simulate(
         str,
         typer.Argument(
             help="mower-spiral, circle-four-poles, figure-eight, yard, or a file as in "
-            "docs/montecarlo.md"
+            "docs/montecarlo.md; with cameras: mower-cameras, aruco-ring, poles, or a file as in "
+            "docs/camera-rendered.md"
         ),
     ],
     output: Annotated[
         Path | None,
-        typer.Option("--output", "-o", help="LCM log; the configuration goes beside it."),
+        typer.Option(
+            "--output",
+            "-o",
+            help="LCM log; the configuration goes beside it. With --cameras a folder.",
+        ),
     ] = None,
+    cameras: Annotated[
+        bool, typer.Option("--cameras", help="Draw what the cameras see, into the folder of -o.")
+    ] = False,
+    jobs: Annotated[int, typer.Option(help="Of --cameras: processes, -1 for one a core.")] = 1,
     live: Annotated[bool, typer.Option("--live", help="Send it over LCM instead.")] = False,
     wait: Annotated[
         bool, typer.Option("--wait/--no-wait", help="Of --live: begin once a node is heard.")
@@ -58,8 +72,15 @@ def simulate(
     are sent with the same stamps, which begin at one second; the configuration goes into this
     folder, and the drive begins once a node is heard.
 
+    With --cameras, the folder gets a subfolder of pictures a camera, named by their time of capture
+    (us), robot.yaml with markers.yaml and each camera's intrinsics, drive.lcmlog with wheels, gyro
+    and truth but no sightings, and ideal.lcmlog with exact angles of what is in view besides.
+
     Example: pilotage simulate figure-eight -o eight.lcmlog --gyro-bias 0.001 && pilotage replay
     eight.lcmlog --config eight.yaml
+
+    Example: pilotage simulate mower-cameras --cameras --duration 60 -o mower && pilotage replay
+    mower/ideal.lcmlog --config mower/robot.yaml
     """
     from dataclasses import replace
 
@@ -72,10 +93,12 @@ def simulate(
     from .console import progress_bar
 
     chosen = find_scenario(scenario)
+    if cameras and (output is None or live or fault is not None or run is not None):
+        raise ValueError("--cameras draws into the folder of -o, without --live, --fault and --run")
     if live == (output is not None):
         raise ValueError("say where it goes: either -o FILE.lcmlog or --live")
     file = Path(f"{chosen.name}.yaml") if output is None else output.with_suffix(".yaml")
-    if file == output:
+    if file == output and not cameras:
         raise ValueError(f"{output} is for the configuration: give the log another name")
     for written in (file, output):
         if written is not None and _same(written, Path(scenario)):
@@ -97,6 +120,9 @@ def simulate(
             chosen, gyro=replace(chosen.gyro, bias_rad_s=gyro_bias, bias_sigma_rad_s=known)
         )
     rng = np.random.default_rng(seed)
+    if cameras and output is not None:
+        _draw(chosen, rng, output, jobs)
+        return
 
     def spoiled(measured: Measured) -> Measured:
         if fault is None:
@@ -126,6 +152,27 @@ def simulate(
     typer.echo("sending")
     with progress_bar("sending") as progress:
         play(simulation.recording, speed, progress, lcm_url)
+
+
+def _draw(scenario: "Scenario", rng: "np.random.Generator", folder: Path, jobs: int) -> None:
+    """Draw pictures into a folder and say what to do with them."""
+    from .console import check_jobs, make_folder, progress_bar
+
+    check_jobs(jobs)
+    try:
+        from ..simulate.pictures import take_pictures
+    except ImportError as error:
+        raise ImportError(
+            f"--cameras needs OpenCV ({error}): pip install 'pilotage[camera]', or, on a machine "
+            "without a screen, pip install opencv-python-headless"
+        ) from error
+    make_folder(folder)
+    with progress_bar("drawing") as progress:
+        taken = take_pictures(scenario, rng, folder, jobs, progress)
+    for one in taken:
+        seen = f"{len(one.ideal)} markers in view"
+        typer.echo(f"{folder / one.camera.name}: {len(one.utime)} pictures, {seen}")
+    typer.echo(f"pilotage replay {folder / 'ideal.lcmlog'} --config {folder / 'robot.yaml'}")
 
 
 def _same(one: Path, other: Path) -> bool:

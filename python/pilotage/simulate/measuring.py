@@ -46,6 +46,8 @@ class Measured:
         Whether sightings say which marker they are of.
     kidnapped_at : int or None, µs
         When the robot was carried elsewhere.
+    tilt : (n + 1, 2) float or None, rad
+        Pitch and roll of the body at the drive's stamps, if it does not stand level.
     """
 
     drive: Drive
@@ -56,6 +58,7 @@ class Measured:
     sightings: dict[str, Stream]
     ids: bool = True
     kidnapped_at: int | None = None
+    tilt: NDArray[np.float64] | None = None
 
     def record(self) -> Recording:
         """Encode everything, in order of arrival."""
@@ -121,6 +124,7 @@ def measure(scenario: Scenario, rng: np.random.Generator) -> Measured:
         sightings=sightings,
         ids=scenario.ids,
         kidnapped_at=kidnapped_at,
+        tilt=tilt,
     )
 
 

@@ -11,6 +11,7 @@ from . import drives, worlds
 from .chances import Kidnap, Outliers, Start
 from .drives import Drive
 from .fields import within
+from .scene import Scene
 from .sensors import Camera, Encoders, Gyro
 from .tilt import Tilt
 
@@ -41,6 +42,8 @@ class Scenario:
     kidnap: Kidnap | None = None
     ids: bool = True
     """Whether sightings say which marker they are of."""
+    scene: Scene | None = None
+    """Of which pictures are rendered."""
     config: dict[str, Any] = field(default_factory=dict)
     """Keys of the configuration, dotted, that differ from those of a suitable one."""
 
@@ -116,6 +119,7 @@ class Scenario:
             ),
             cameras=tuple(replace(c, sigma=_scaled(c.sigma, factor)) for c in self.cameras),
             jitter_s=factor * self.jitter_s,
+            scene=None if self.scene is None else self.scene.with_noise(factor),
         )
 
 

@@ -19,6 +19,8 @@ from .drives import DRIVES, Drive
 from .fields import call, known_keys, mapping, read_yaml, value_of
 from .measuring import suitable_config
 from .scenario import SCENARIOS, Scenario
+from .scene import Scene
+from .scene_file import parse_scene
 from .sensors import Camera, Encoders, Gyro
 from .tilt import Tilt
 from .waypoints import waypoints
@@ -33,7 +35,9 @@ PARTS: dict[str, Callable[..., Any]] = {
     "kidnap": Kidnap,
 }
 VALUES = {"duration_s": float, "latency_s": float, "jitter_s": float, "ids": bool}
-KEYS = ("site", "drive", "sensors", "config", *VALUES, *PARTS)
+KEYS = ("site", "drive", "sensors", "cameras", "world", "config", *VALUES, *PARTS)
+RENDERED = Path(__file__).with_name("rendered.yaml")
+"""Scenarios with pictures, as a user's would be written."""
 
 
 def find_scenario(name: str, others: Mapping[str, Any] = MappingProxyType({})) -> Scenario:
@@ -51,6 +55,8 @@ def find_scenario(name: str, others: Mapping[str, Any] = MappingProxyType({})) -
     """
     if name in SCENARIOS:
         return SCENARIOS[name]
+    rendered = read_yaml(RENDERED)
+    others = {**rendered, **others}
     if name in others:
         return parse_scenario(others[name], name)
     if Path(name).is_file():
@@ -65,9 +71,11 @@ def parse_scenario(content: Any, name: str) -> Scenario:
     """Make a scenario of a file's content; paths in it are relative to the file `name`."""
     content = mapping(content, name)
     known_keys(content, KEYS, name)
-    for key in ("site", "drive", "duration_s", "sensors"):
+    for key in ("site", "drive", "duration_s"):
         if key not in content:
             raise ValueError(f"{name}: '{key}' is missing")
+    if "sensors" not in content and "cameras" not in content:
+        raise ValueError(f"{name}: 'sensors' is missing")
     parts = {
         key: call(PARTS[key], content[key], f"{name}: {key}") for key in PARTS if key in content
     }
@@ -76,13 +84,18 @@ def parse_scenario(content: Any, name: str) -> Scenario:
         for key in VALUES
         if key in content
     }
-    sensors = mapping(content["sensors"], f"{name}: sensors")
-    if not sensors:
+    scene = _scene(content, name)
+    sensors = mapping(content.get("sensors", {}), f"{name}: sensors")
+    if not sensors and scene is None:
         raise ValueError(f"{name}: sensors has none, expected one or more")
     given: dict[str, Any] = {
         "site": _site(content["site"], name),
         "drive": _drive(content["drive"], f"{name}: drive"),
-        "cameras": tuple(_camera(s, sensors[s], f"{name}: sensors.{s}") for s in sensors),
+        "cameras": (
+            *(_camera(s, sensors[s], f"{name}: sensors.{s}") for s in sensors),
+            *(() if scene is None else (camera.sensor() for camera in scene.cameras)),
+        ),
+        "scene": scene,
         "config": dict(_dotted(mapping(content.get("config", {}), f"{name}: config"))),
     }
     try:
@@ -160,6 +173,19 @@ def _camera(name: str, content: Any, where: str) -> Camera:
         for field, keys in (("mounting", MOUNTING), ("sigma", SIGMAS.values()))
     }
     return call(Camera, content, where, name=name, **flat)
+
+
+def _scene(content: dict[str, Any], name: str) -> Scene | None:
+    """What pictures are rendered of, if there are cameras."""
+    if "cameras" not in content:
+        if "world" in content:
+            raise ValueError(f"{name}: there is a world, and 'cameras' is missing: who sees it")
+        return None
+    scene = parse_scene(content["cameras"], content.get("world", {}), name)
+    both = {camera.name for camera in scene.cameras} & set(content.get("sensors") or {})
+    if both:
+        raise ValueError(f"{name}: {min(both)} is in cameras and in sensors: name one otherwise")
+    return scene
 
 
 def _dotted(content: dict[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:

@@ -134,9 +134,7 @@ class Camera:
         id : (k,) int
         value : (k, 3) float, NaN for what it does not measure
         """
-        period = round(1e6 / self.rate_hz)
-        first = int(drive.utime[0]) + int(rng.integers(1, period))
-        utime = np.arange(first, int(drive.utime[-1]), period, dtype=np.int64)
+        utime = frame_times(drive, self.rate_hz, rng)
         exact = self.look_at_all(drive, markers, utime)
         seen = self.in_view(exact) & (rng.random(exact.shape[:2]) >= self.dropout)
         if tilt is not None:
@@ -171,3 +169,10 @@ class Camera:
         exact = MarkerModel(marker, list(COMPONENTS), self.mounting).predict(poses)
         exact[:, 0] = wrap_angle(exact[:, 0])  # a model's bearings differ from these by turns
         return exact
+
+
+def frame_times(drive: Drive, rate_hz: float, rng: np.random.Generator) -> NDArray[np.int64]:
+    """(f,) µs at which a camera that runs by itself takes frames during a drive."""
+    period = round(1e6 / rate_hz)
+    first = int(drive.utime[0]) + int(rng.integers(1, period))
+    return np.arange(first, int(drive.utime[-1]), period, dtype=np.int64)

@@ -18,6 +18,7 @@ std::vector<Bytes> every_message() {
             bytes_of(velocity(1, 2, 3)),
             bytes_of(gyro(1, 2, 3)),
             bytes_of(frame(1, "camera", {seen(1, 0.1), seen(2, 0.2)})),
+            bytes_of(pixels(1, "camera", {spotted(1, 0.1, 2), spotted(-1, 0.2, 3)})),
             bytes_of(reset(1, 2, 3, 1)),
             bytes_of(reference(1, 2, 3, 1)),
             bytes_of(tick(1, 2))};
@@ -41,6 +42,7 @@ TEST(CodecTest, IsFoundByTheFingerprint) {
     EXPECT_EQ(codec_of(bytes_of(velocity(0, 0, 0))).kind, Kind::velocity);
     EXPECT_EQ(codec_of(bytes_of(gyro(0, 0))).kind, Kind::gyro);
     EXPECT_EQ(codec_of(bytes_of(frame(0, "", {}))).kind, Kind::frame);
+    EXPECT_EQ(codec_of(bytes_of(pixels(0, "", {}))).kind, Kind::pixels);
     EXPECT_EQ(codec_of(bytes_of(reset(0, 0, 0, 0))).kind, Kind::reset);
     EXPECT_EQ(codec_of(bytes_of(reference(0, 0, 0, 0))).kind, Kind::reference);
     EXPECT_EQ(codec_of(bytes_of(tick(0))).kind, Kind::tick);
@@ -69,6 +71,7 @@ TEST(CodecTest, KnowsWhatAnInputExpects) {
     EXPECT_EQ(expected_types(Kind::velocity), "velocity_t");
     EXPECT_EQ(expected_types(Kind::gyro), "gyro_t");
     EXPECT_EQ(expected_types(Kind::frame), "marker_frame_t");
+    EXPECT_EQ(expected_types(Kind::pixels), "pixel_frame_t");
     EXPECT_EQ(expected_types(Kind::reset), "pose_reset_t");
 }
 

@@ -43,9 +43,9 @@ TEST(ConfigSensorTest, TheChannelFollowsWhatIsMeasured) {
     const Config c = parsed(
         "sensors: {camera: {}, gps: {measures: pose}, laser: {measures: walls}, dock: {measures: "
         "pose, "
-        "channel: DOCK}}");
-    const char* expected[] = {"MARKERS", "FIX", "WALLS", "DOCK"};
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(c.sensor_inputs[i].channel, expected[i]);
+        "channel: DOCK}, front: {measures: pixels}}");
+    const char* expected[] = {"MARKERS", "FIX", "WALLS", "DOCK", "PIXELS"};
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(c.sensor_inputs[i].channel, expected[i]);
     Config by_key;
     field(by_key, "sensors.gps.measures", "").set("pose", "");
     EXPECT_EQ(by_key.sensor_inputs[0].channel, "FIX");
@@ -91,6 +91,10 @@ TEST(ConfigSensorTest, WhatARobotCannotDoWithoutIsNamed) {
     EXPECT_EQ(missing(parsed("sensors: {gps: {measures: pose}}")), "");
     EXPECT_EQ(missing(parsed(walls + "sensors: {laser: {measures: walls}}")), "");
     EXPECT_EQ(missing(parsed(map + "sensors: {camera: {}}")), "");
+    const std::string pixels = "sensors: {front: {measures: pixels}}";
+    EXPECT_NE(missing(parsed(pixels)).find("'map'"), std::string::npos);
+    EXPECT_NE(missing(parsed(map + pixels)).find("'sensors.front.intrinsics' is missing"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "pilotage/localizer.hpp"
 #include "support/allocations.hpp"
+#include "support/images.hpp"
 #include "support/journeys.hpp"
 #include "support/random.hpp"
 #include "support/robots.hpp"
@@ -228,6 +229,53 @@ TEST(AllocationTest, NoneWhereThePoseIsSearchedForAndMarkersAreFound) {
     expect_no_allocation_where_lost<double, 8>();
     expect_no_allocation_where_lost<float, 3>();
     expect_no_allocation_where_lost<float, 6>();
+}
+
+/// Images without ids, half of them late, from nothing to a pose and after the robot was carried
+/// off.
+template <typename Scalar, int N>
+void expect_no_allocation_with_pixels(double radius_px, Filter filter) {
+    const MarkerMap map({{1, 5, 3, 0.4, 0},
+                         {2, -5, 3, 0.4, 0.01},
+                         {3, -5, -3, 0.4, 0},
+                         {4, 5, -3, 0.4, 0},
+                         {5, 1, 6, 0.4, 0},
+                         {6, 4, 0, 0.4, 0}});
+    Params params = gyro_params();
+    params.initial = {};
+    params.filter = filter;
+    params.sensors[0] = camera_sensor();
+    params.sensors[0].association_radius_pixel = radius_px;
+    params.noise.adaptation = NoiseAdaptation::on;
+    FilmedJourney film(map, params.sensors[0]);
+    film.ids = false;
+    std::vector<std::pair<std::int64_t, Sample>> arrivals;
+    for (int leg = 0; leg < 2; ++leg) {
+        for (const Sample& sample : film.go(8, 0.4, 0.5)) {
+            const bool late = sample.stream == Stream::sighting && sample.seq % 2 == 0;
+            arrivals.emplace_back(sample.utime + (late ? 500'000 : 0), sample);
+        }
+        film.journey.truth = {-1, 1, 2};
+    }
+    std::stable_sort(arrivals.begin(), arrivals.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    Counter counter;
+    Localizer<Scalar, N> localizer(params, map, counter);
+    const AllocationCount allocations;
+    for (const auto& [time, sample] : arrivals) localizer.add(sample);
+    localizer.add(sighting_at(localizer.estimate().utime, 1, {-5, 7, kNan}));
+    localizer.finish();
+    EXPECT_EQ(allocations.since(), 0);
+    EXPECT_EQ(counter.count(Verdict::outside_image), 1);
+    EXPECT_TRUE(localizer.has_pose());
+    EXPECT_GT(counter.sightings, 200);
+}
+
+TEST(AllocationTest, NoneWithPixels) {
+    expect_no_allocation_with_pixels<double, 3>(0, Filter::ekf);
+    expect_no_allocation_with_pixels<double, 8>(0, Filter::ukf);
+    expect_no_allocation_with_pixels<float, 3>(64, Filter::ukf);
+    expect_no_allocation_with_pixels<float, 6>(0, Filter::ekf);
 }
 
 TEST(AllocationTest, NoneInDoubleWithThreeStates) {

@@ -12,6 +12,7 @@
 #include "pilotage/gyro_t.hpp"
 #include "pilotage/heading_t.hpp"
 #include "pilotage/marker_frame_t.hpp"
+#include "pilotage/pixel_frame_t.hpp"
 #include "pilotage/pose_fix_t.hpp"
 #include "pilotage/pose_reset_t.hpp"
 #include "pilotage/position_fix_t.hpp"
@@ -69,6 +70,23 @@ template <typename Message>
     m.sensor = sensor;
     m.n = static_cast<std::int32_t>(sightings.size());
     m.sightings = sightings;
+    return m;
+}
+
+[[nodiscard]] inline pixel_observation_t spotted(std::int32_t id, double u, double v,
+                                                 double sigma = NAN) {
+    return {id, -1, u, v, sigma, sigma};
+}
+
+[[nodiscard]] inline pixel_frame_t pixels(std::int64_t utime, const std::string& sensor,
+                                          const std::vector<pixel_observation_t>& observations,
+                                          std::int32_t seq = 0) {
+    pixel_frame_t m{};
+    m.utime = utime;
+    m.seq = seq;
+    m.sensor = sensor;
+    m.n = static_cast<std::int32_t>(observations.size());
+    m.observations = observations;
     return m;
 }
 

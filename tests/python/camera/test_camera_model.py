@@ -70,7 +70,7 @@ def test_positive_pitch_looks_down_and_positive_roll_lowers_the_right_side():
         -0.2
     )
     rolled = pilotage.CameraModel(SIZE, MATRIX, roll_rad=0.2)
-    azimuth, elevation = rolled.angles(centre + [100, 0])[0]
+    azimuth, elevation = rolled.angles(centre + np.array([100, 0]))[0]
     assert azimuth < 0
     assert elevation < 0
 

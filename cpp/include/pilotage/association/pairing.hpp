@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "pilotage/filter/ekf.hpp"
+#include "pilotage/held_pixel.hpp"
 #include "pilotage/held_sighting.hpp"
 #include "pilotage/sensing/stray.hpp"
 
@@ -66,35 +67,60 @@ template <typename Scalar>
     return log_odds_of(Scalar(0), pairing.noise, pairing.stray);
 }
 
+/// \param measured bit i: there is component i
+/// \param strays density of each component where it is of no marker
+template <typename Scalar, int M>
+[[nodiscard]] Pairing<Scalar> pairing_of(const Marker& marker, const HeldSighting<Scalar, M>& held,
+                                         const Matrix<Scalar, M>& noise, int measured,
+                                         const double (&strays)[M]) noexcept {
+    constexpr double half_log_two_pi = 0.91893853320467274178;
+    const auto has = [&](int i) { return (measured >> i & 1) != 0; };
+    Pairing<Scalar> pairing;
+    pairing.id = marker.id;
+    each<M>([&](int i) {
+        if (!has(i)) return;
+        ++pairing.dof;
+        pairing.stray += Scalar(std::log(strays[i]) + half_log_two_pi);
+        pairing.innovation[i] = held.innovation[i];
+        each<kPoseStates>([&](int j) { pairing.jacobian(i, j) = held.jacobian(i, j); });
+        each<M>([&](int j) {
+            if (has(j)) pairing.noise(i, j) = noise(i, j);
+        });
+    });
+    return pairing;
+}
+
+/// The pixel as one of this marker.
+template <typename Scalar>
+[[nodiscard]] Pairing<Scalar> pair_up_pixel(const Pose<Scalar>& robot, const Marker& marker,
+                                            const Sighting& pixel, const SensorParams& sensor,
+                                            Scalar tilt_variance) noexcept {
+    const auto held = hold_pixel_against<Scalar>(robot, marker, pixel, sensor);
+    if (!held.defined) return {};
+    const Matrix<Scalar, 2> tilted = held.by_tilt * held.by_tilt.transpose() * tilt_variance;
+    const Intrinsics& image = sensor.camera.intrinsics();
+    return pairing_of<Scalar, 2>(marker, held, held.noise() + tilted, 0b11,
+                                 {1.0 / image.width_px, 1.0 / image.height_px});
+}
+
 /// The sighting as one of this marker.
 /// \param robot the pose before the frame
 template <typename Scalar>
 [[nodiscard]] Pairing<Scalar> pair_up(const Pose<Scalar>& robot, const Marker& marker,
                                       const Sighting& sighting, const SensorParams& sensor,
                                       Scalar tilt_variance = 0) noexcept {
-    constexpr double half_log_two_pi = 0.91893853320467274178;
+    if (sensor.measures == Measures::pixels)
+        return pair_up_pixel(robot, marker, sighting, sensor, tilt_variance);
     const Range<Scalar> range{Scalar(sensor.range_scale), Scalar(sensor.range_offset_m)};
     const auto held = hold_against<Scalar>(robot, marker, sighting, sensor, Bearing<Scalar>{},
                                            Elevation<Scalar>{}, range);
-    Pairing<Scalar> pairing;
-    if (!held.defined) return pairing;
-    auto r = held.noise();
-    r(kElevation, kElevation) += tilt_variance;
-    const int components = measured_components(sighting);
-    const auto measured = [&](int i) { return (components >> i & 1) != 0; };
-    pairing.id = marker.id;
-    each<3>([&](int i) {
-        if (!measured(i)) return;
-        ++pairing.dof;
-        pairing.stray +=
-            Scalar(std::log(stray_density(ComponentIndex(i), kStrayReach_m)) + half_log_two_pi);
-        pairing.innovation[i] = held.innovation[i];
-        each<3>([&](int j) {
-            pairing.jacobian(i, j) = held.jacobian(i, j);
-            if (measured(j)) pairing.noise(i, j) = r(i, j);
-        });
-    });
-    return pairing;
+    if (!held.defined) return {};
+    auto noise = held.noise();
+    noise(kElevation, kElevation) += tilt_variance;
+    return pairing_of<Scalar, 3>(
+        marker, held, noise, measured_components(sighting),
+        {stray_density(kBearing, kStrayReach_m), stray_density(kElevation, kStrayReach_m),
+         stray_density(kRange, kStrayReach_m)});
 }
 
 }  // namespace pilotage

@@ -23,7 +23,10 @@ class CameraModel {
    public:
     CameraModel() = default;
     CameraModel(const Intrinsics& intrinsics, double roll_rad, double pitch_rad) noexcept
-        : intrinsics_(intrinsics), widest_(find_widest()) {
+        : intrinsics_(intrinsics),
+          roll_rad_(roll_rad),
+          pitch_rad_(pitch_rad),
+          widest_(find_widest()) {
         const double cr = std::cos(roll_rad), sr = std::sin(roll_rad);
         const double cp = std::cos(pitch_rad), sp = std::sin(pitch_rad);
         // The body's (forward, left, up) is the camera's (z, -x, -y).
@@ -33,6 +36,8 @@ class CameraModel {
     }
 
     [[nodiscard]] const Intrinsics& intrinsics() const noexcept { return intrinsics_; }
+    [[nodiscard]] double roll_rad() const noexcept { return roll_rad_; }
+    [[nodiscard]] double pitch_rad() const noexcept { return pitch_rad_; }
     /// From OpenCV's camera frame to the level sensor frame.
     [[nodiscard]] const Matrix<double, 3>& rotation() const noexcept { return rotation_; }
     /// Tangent of the angle to the optical axis within which the distortion is one-to-one.
@@ -256,6 +261,7 @@ class CameraModel {
     }
 
     Intrinsics intrinsics_;
+    double roll_rad_ = 0, pitch_rad_ = 0;
     double widest_ = 0;
     Matrix<double, 3> rotation_ = Matrix<double, 3>::Identity();
 };
