@@ -94,7 +94,8 @@ class Coverage:
 def coverage(image: Image, blob: Blob, outline: Array | None = None) -> Coverage | None:
     """Tell how much of each pixel is marker, by its colour between marker and background.
 
-    The noise is that of the background about the blob. None where no background is to be seen.
+    The noise is that of the background about the blob. None where no background is
+    to be seen, or the blob does not stand out from it.
     With an outline (k, 2) px it is looked at inside of that too: the ends of a blob that is hardly
     a pixel thick are too pale for its mask.
     """
@@ -120,6 +121,8 @@ def coverage(image: Image, blob: Blob, outline: Array | None = None) -> Coverage
     variance = np.mean(alpha[ring] ** 2) + ROUNDING / contrast
     alpha[core] = 1.0
     alpha[~near | foreign] = 0.0
+    if alpha.sum() < blob.area / 4:
+        return None
     sigma = np.where(near & ~core & ~foreign, np.sqrt(variance), 0.0)
     rows, columns = blob.window
     return Coverage(

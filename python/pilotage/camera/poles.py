@@ -18,6 +18,8 @@ END_SAMPLING_PX = 0.05
 """Likewise in an end's row."""
 STRIP_ROWS = 24
 """Of a pole that are held against one background: it reaches from the grass into the sky."""
+THINNEST_PX = 0.5
+"""A row with less of the pole is none of it."""
 INSIDE_ROWS = 8
 """By which it is judged how light the pole itself is beside its end."""
 UNKNOWN_RAD = 1.0
@@ -90,7 +92,8 @@ class PoleDetector:
             return None
         strips = np.array_split(np.arange(first, last), max((last - first) // STRIP_ROWS, 1))
         found = [coverage(image, blob.rows(int(rows[0]), int(rows[-1]) + 1)) for rows in strips]
-        parts = [self._azimuth(seen) for seen in found if seen is not None]
+        tried = [self._azimuth(seen) for seen in found if seen is not None]
+        parts = [part for part in tried if part is not None]
         if not parts:
             return None
         azimuth, variance, floor = np.transpose(parts)
@@ -98,12 +101,16 @@ class PoleDetector:
         total = float(weight.sum())
         return float(azimuth @ weight) / total, 1 / total + float(floor.mean())
 
-    def _azimuth(self, seen: Coverage) -> tuple[float, float, float]:
+    def _azimuth(self, seen: Coverage) -> tuple[float, float, float] | None:
         """Return azimuth [rad] midway between the two sides, its variance and that of sampling."""
-        wide = seen.alpha.sum(axis=1)
-        middle = seen.alpha @ seen.u / wide
-        noise = (((seen.u - middle[:, None]) * seen.sigma) ** 2).sum(axis=1) / wide**2
-        sides = [np.column_stack([middle + half * wide, seen.v]) for half in (-0.5, 0.5)]
+        whole = seen.alpha.sum(axis=1) > THINNEST_PX
+        if not whole.any():
+            return None
+        alpha, sigma, v = seen.alpha[whole], seen.sigma[whole], seen.v[whole]
+        wide = alpha.sum(axis=1)
+        middle = alpha @ seen.u / wide
+        noise = (((seen.u - middle[:, None]) * sigma) ** 2).sum(axis=1) / wide**2
+        sides = [np.column_stack([middle + half * wide, v]) for half in (-0.5, 0.5)]
         # A side's azimuth and not its pixel: in those the axis is not midway in a wide pole.
         azimuth = np.mean([self.camera.angles(side)[:, 0] for side in sides], axis=0)
         covariance = np.zeros((len(noise), 2, 2))
