@@ -82,8 +82,8 @@ class TagDetector:
     def sensor_pose(self, tag: TagDetection, position: Array) -> tuple[Array, Array] | None:
         """Return what a `pose_fix_t` says, of a tag surveyed at a position (3,) in frame map [m].
 
-        x [m], y [m], heading [rad] of the sensor and their covariance (3, 3); None where the pose is
-        in doubt or `yaw_rad` does not say where the tag looks.
+        x, y [m], heading [rad] of the sensor, their covariance (3, 3); None where the pose is in
+        doubt or `yaw_rad` does not say where the tag looks.
         """
         if tag.pose is None or tag.id not in self.yaw_rad:
             return None
