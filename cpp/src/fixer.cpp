@@ -116,16 +116,14 @@ void Fixer<Scalar, N>::follow(Track& track, const Pose<double>& odometry,
 /// Counts the markers that agree with an estimate that has to prove itself.
 template <typename Scalar, int N>
 void Fixer<Scalar, N>::agree(Track& track, const SightingReport& report) const noexcept {
+    const int row = track.agreement.in_a_row();
+    if (row == 0) return;
+    if (row == 1) track.agreeing = {};
     const int before = track.agreeing.count();
     const Marker* marker = map_.find(report.id);
-    if (!track.agreement.last_agreed())
-        track.agreeing = {};
-    else if (marker == nullptr)
-        track.agreeing = MarkerSet::all();
-    else
-        track.agreeing.add(MarkerSet::of(marker - map_.markers().data()));
-    const bool one_more =
-        track.agreement.in_a_row() == Agreement::kConfirming || track.agreeing.count() > before;
+    track.agreeing.add(marker == nullptr ? MarkerSet::all()
+                                         : MarkerSet::of(marker - map_.markers().data()));
+    const bool one_more = row == Agreement::kConfirming || track.agreeing.count() > before;
     if (one_more && confirms(track)) track.search_due_utime = track.utime;  // at once
 }
 

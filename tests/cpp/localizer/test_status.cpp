@@ -58,7 +58,10 @@ TEST_P(StatusTest, IsConfirmedByTwoMarkersWhereTheMapHasThem) {
             EXPECT_EQ(robot.estimate().status, Status::initializing);
             EXPECT_EQ(robot.estimate().reason, Reason::one_marker);
             EXPECT_EQ(robot.estimate().value, 3 * kConfirming);
-            stand(robot, 2 * kSecond, 1);  // the other one
+            robot.add(sighting_at(kSecond + 1, 2, {2, 0, 1}));  // the other one, somewhere else
+            stand(robot, 2 * kSecond, kConfirming, false);
+            EXPECT_EQ(robot.estimate().reason, Reason::one_marker);
+            stand(robot, 3 * kSecond, 1);
         }
         EXPECT_EQ(robot.estimate().status, Status::ok) << has_two;
     }
