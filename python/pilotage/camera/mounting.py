@@ -1,0 +1,65 @@
+"""From pixels to the angles of a sighting, with what is not known of how the camera is mounted."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .. import CameraModel
+from ..simulate.fields import within
+from .detection import Array, Detection
+
+
+@dataclass(frozen=True)
+class MountingNoise:
+    """How well the camera's roll, pitch and yaw on the robot are known, and hold as it drives.
+
+    It is one error for all that is in a frame; the filter takes it for one of each sighting.
+    """
+
+    sigma_roll_rad: float = 0.0
+    sigma_pitch_rad: float = 0.0
+    sigma_yaw_rad: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name, sigma in vars(self).items():
+            within(name, sigma, 0.0, 1.0)
+
+    def covariance(self, camera: CameraModel, pixels: Array) -> Array:
+        """Return what it adds to the covariance (n, 2, 2) rad^2 of azimuth and elevation."""
+        rays = camera.rays(pixels)
+        # R = Ry(pitch) Rx(roll): rolled about the optical axis, pitched about y, turned about z.
+        axes = np.array([camera.rotation[:, 2], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+        x, y, z = rays.T
+        flat2 = x**2 + y**2
+        flat = np.sqrt(flat2)
+        none = np.zeros_like(x)
+        by_ray = np.stack(
+            [
+                np.column_stack([-y / flat2, x / flat2, none]),
+                np.column_stack([-x * z / flat, -y * z / flat, flat]),
+            ],
+            axis=1,
+        )
+        jacobian = by_ray @ np.cross(axes[:, None], rays).transpose(1, 2, 0)
+        sigma2 = np.array([self.sigma_roll_rad, self.sigma_pitch_rad, self.sigma_yaw_rad]) ** 2
+        covariance: Array = (jacobian * sigma2) @ jacobian.transpose(0, 2, 1)
+        return covariance
+
+
+def angles(
+    camera: CameraModel, detections: Sequence[Detection], mounting: MountingNoise
+) -> tuple[Array, Array]:
+    """Return azimuth and elevation (n, 2) rad of detections and their covariance (n, 2, 2) rad^2.
+
+    By the Jacobian of the projection, from pixel noise and mounting noise. The elevation is NaN
+    where the detection has none.
+    """
+    pixels = np.array([one.pixel for one in detections]).reshape(-1, 2)
+    noise = np.array([one.covariance for one in detections]).reshape(-1, 2, 2)
+    covariance = camera.angle_covariance(pixels, noise) + mounting.covariance(camera, pixels)
+    value = camera.angles(pixels)
+    level = np.array([not one.has_elevation for one in detections], dtype=bool)
+    value[level, 1] = np.nan
+    covariance[level, 1, :] = covariance[level, :, 1] = np.nan
+    return value, covariance

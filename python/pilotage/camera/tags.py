@@ -1,0 +1,115 @@
+"""ArUco and AprilTag markers."""
+
+import math
+from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
+
+import cv2
+import numpy as np
+
+from .. import CameraModel
+from ..simulate.fields import within
+from .detection import Array, Detection, Image, check_size
+from .square import refine
+from .tag_pose import TagPose, tag_poses
+
+COARSE_PX = 0.4
+"""Of a corner that only `cv2.cornerSubPix` has found."""
+DICTIONARIES = {
+    name.removeprefix("DICT_").lower(): getattr(cv2.aruco, name)
+    for name in dir(cv2.aruco)
+    if name.startswith("DICT_")
+}
+"""OpenCV's sets of tags by name: 4x4_50, apriltag_36h11, ..."""
+
+
+@dataclass(frozen=True, eq=False)
+class TagDetection(Detection):
+    """A tag; `outline` are its corners, clockwise from the top left as one reads it."""
+
+    corner_covariance: Array = field(default_factory=lambda: np.full((8, 8), math.nan))
+    """(8, 8) px^2 of u0, v0, u1, ..."""
+    poses: tuple[TagPose, ...] = ()
+    """Those that explain the corners, the better one first; none without the tags' size."""
+    pose: TagPose | None = None
+    """The better one where the other is out of the question."""
+
+
+@dataclass(frozen=True)
+class TagDetector:
+    """Finds the tags of one dictionary."""
+
+    camera: CameraModel
+    dictionary: str
+    size_m: float | None = None
+    """Side of the black square; without it neither range nor pose is told."""
+    yaw_rad: dict[int, float] = field(default_factory=dict)
+    """By id, for poses in the map: the direction in frame map that the tag looks in."""
+    max_ambiguity: float = 0.2
+    """A pose is told where its error in the image is at most so much of the other solution's."""
+    _modules: int = field(init=False, repr=False)
+    _finder: cv2.aruco.ArucoDetector = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        if self.size_m is not None:
+            within("size_m", self.size_m, 1e-3, 10.0)
+        within("max_ambiguity", self.max_ambiguity, 0.0, 1.0)
+        name = self.dictionary.removeprefix("DICT_").lower()
+        if name not in DICTIONARIES:
+            (near,) = get_close_matches(name, DICTIONARIES, n=1, cutoff=0.0)
+            raise ValueError(
+                f"dictionary is {self.dictionary}; the nearest known one is '{near}' "
+                f"of {', '.join(DICTIONARIES)}"
+            )
+        dictionary = cv2.aruco.getPredefinedDictionary(DICTIONARIES[name])
+        parameters = cv2.aruco.DetectorParameters()
+        parameters.cornerRefinementMethod = cv2.aruco.CORNER_REFINE_SUBPIX
+        object.__setattr__(self, "_modules", dictionary.markerSize + 2)
+        object.__setattr__(self, "_finder", cv2.aruco.ArucoDetector(dictionary, parameters))
+
+    def detect(self, image: Image) -> list[TagDetection]:
+        """Return the tags of an image (h, w, 3)."""
+        check_size(image, self.camera.size)
+        grey: Image = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
+        corners, ids, _ = self._finder.detectMarkers(grey)
+        numbers: list[int] = [] if ids is None else np.ravel(ids).tolist()
+        found = [
+            self._measure(grey, number, np.asarray(four, dtype=np.float64).reshape(4, 2))
+            for number, four in zip(numbers, corners, strict=True)
+        ]
+        return [tag for tag in found if np.isfinite(tag.pixel).all()]
+
+    def _measure(self, grey: Image, number: int, corners: Array) -> TagDetection:
+        refined = refine(grey, corners, self._modules, self.camera)
+        corners, covariance = refined or (corners, COARSE_PX**2 * np.eye(8))
+        pixel, pixel_covariance = _centre(self.camera, corners, covariance)
+        tag = TagDetection(
+            pixel, pixel_covariance, id=number, outline=corners, corner_covariance=covariance
+        )
+        if self.size_m is None:
+            return tag
+        poses = tuple(tag_poses(self.camera, corners, covariance, self.size_m))
+        if not poses:
+            return tag
+        best = poses[0]
+        clear = len(poses) == 1 or best.error_px <= self.max_ambiguity * poses[1].error_px
+        return replace(
+            tag,
+            range_m=best.range_m,
+            sigma_range_m=best.sigma_range_m,
+            poses=poses,
+            pose=best if clear else None,
+        )
+
+
+def _centre(camera: CameraModel, corners: Array, covariance: Array) -> tuple[Array, Array]:
+    """Return where the diagonals meet in space, as a pixel (2,), and its covariance (2, 2) px^2."""
+    step = 0.1
+    flat = corners.ravel()
+    every = np.vstack([flat, flat + step * np.eye(8), flat - step * np.eye(8)])
+    a, b, c, d = np.moveaxis(camera.rays(every.reshape(-1, 2)).reshape(-1, 4, 3), 1, 0)
+    middle = np.cross(np.cross(a, c), np.cross(b, d))
+    middle *= np.sign((middle * a).sum(axis=1))[:, None]
+    pixels = camera.project(middle)
+    jacobian = (pixels[1:9] - pixels[9:]).T / (2 * step)
+    return pixels[0], jacobian @ covariance @ jacobian.T
