@@ -49,6 +49,14 @@ def camera(
     speed: Annotated[
         float, typer.Option(help="Of recorded images sent over LCM, times real time.")
     ] = 1.0,
+    follow: Annotated[
+        bool,
+        typer.Option(
+            "--follow",
+            help="Of recorded images sent over LCM: send each when the drive's motion that is "
+            "heard has come to its time, as beside lcm-logplayer.",
+        ),
+    ] = False,
     show: Annotated[bool, typer.Option("--show", help="Show what is found in a window.")] = False,
     save_video: Annotated[
         Path | None,
@@ -87,7 +95,7 @@ def camera(
             raise ValueError("--poses and --merge are of recorded images: name a log with -o")
         with needs_opencv(PROGRAM):
             from ..camera.live import look_live
-        some = look_live(options, speed, lcm_url)
+        some = look_live(options, speed, follow, lcm_url)
     else:
         some = look_offline(options, output, poses, merge)
     if not some:
