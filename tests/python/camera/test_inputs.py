@@ -17,8 +17,8 @@ LENS = """{image_width: 64, image_height: 48,
 
 
 def config(*names: str) -> pilotage.Config:
-    sensors = ", ".join(f"{name}: {{z_m: 1, intrinsics: {LENS}}}" for name in names)
-    return pilotage.Config.parse(f"sensors: {{{sensors}, laser: {{z_m: 0.4}}}}")
+    sensors = "".join(f"{name}: {{z_m: 1, intrinsics: {LENS}}}, " for name in names)
+    return pilotage.Config.parse(f"sensors: {{{sensors}laser: {{z_m: 0.4}}}}")
 
 
 def test_of_one_camera_the_name_may_be_left_out():
