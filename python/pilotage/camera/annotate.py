@@ -107,7 +107,7 @@ def _line(picture: Image, start: Array, end: Array, colour: Colour) -> None:
 
 def _outline(picture: Image, outline: Array, colour: Colour) -> None:
     if len(outline) > 0 and np.isfinite(outline).all():
-        corners = np.rint(outline * (1 << SUBPIXEL)).astype(np.int32)
+        corners = np.array([_fine(corner) for corner in outline], dtype=np.int32)
         cv2.polylines(picture, [corners], True, colour, 1, cv2.LINE_AA, SUBPIXEL)
 
 

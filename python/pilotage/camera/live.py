@@ -125,6 +125,7 @@ def look_live(options: Options, speed: float, follow: bool, url: str | None) -> 
                     due = monotonic() + ANSWER_S
                     _put(pictures, Drawable(camera, seen, seq, due), stop)
         except Exception as error:
+            camera.tally.settle("failed")
             camera.tally.say(f"ended: {type(error).__name__}: {error}")
 
     threads = [Thread(target=work, args=(camera,), daemon=True) for camera in cameras]

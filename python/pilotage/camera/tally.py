@@ -56,6 +56,13 @@ class Tally:
         if words:
             self.warn(reason, words)
 
+    def settle(self, reason: str) -> None:
+        """Count what was read and is not accounted for, when the camera's work has broken off."""
+        with self._lock:
+            open_ones = self.read - self.published - self.dropped.total()
+            if open_ones > 0:
+                self.dropped[reason] += open_ones
+
     def summary(self) -> str:
         """Return where all frames went."""
         with self._lock:

@@ -87,9 +87,12 @@ def camera(
     """
     with needs_opencv(PROGRAM):
         from ..camera.program import Options, look_offline
+    from ..simulate.fields import within
+
     options = Options(
         config=config, inputs=inputs, begin=begin, show=show, save_video=save_video, say=_say
     )
+    within("--speed", speed, 1e-3, 1e6)
     if output is None:
         if poses is not None or merge is not None:
             raise ValueError("--poses and --merge are of recorded images: name a log with -o")

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from pilotage.camera.images import ImageFiles, folder
+from pilotage.camera.images import STAMPS, ImageFiles, folder
 from pilotage.camera.tally import Tally
 
 PICTURE = np.full((6, 8, 3), 90, np.uint8)
@@ -57,7 +57,7 @@ def test_the_list_beside_them_goes_before_the_name(tmp_path: Path):
 def test_a_list_that_cannot_be_read_says_where(tmp_path: Path, content: str, words: str):
     write(tmp_path / "a.png")
     (tmp_path / "stamps.csv").write_text(content)
-    with pytest.raises(ValueError, match="stamps.csv") as error:
+    with pytest.raises(ValueError, match=STAMPS) as error:
         folder(tmp_path)
     assert words in str(error.value)
 

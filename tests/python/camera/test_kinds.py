@@ -53,7 +53,7 @@ def test_the_time_of_capture_stands_there_too():
     content = {"kind": "discs", "radius_m": 0.1, "exposure_offset_s": 0.01, "readout_s": 0.03}
     assert shutter(content, WHERE) == Shutter(0.01, 0.03)
     assert make(**content) == make(kind="discs", radius_m=0.1)
-    with pytest.raises(ValueError, match="detectors.front: readout_s is -1, expected 0 to 1"):
+    with pytest.raises(ValueError, match=r"detectors.front: readout_s is -1, expected 0 to 1"):
         shutter({**content, "readout_s": -1}, WHERE)
 
 

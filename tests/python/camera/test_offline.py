@@ -1,4 +1,4 @@
-"""Recorded images to logs: association by the first paper, and the drive's log with frames in it."""
+"""Recorded images to logs: association by the first paper, frames in the log of a drive."""
 
 from dataclasses import replace
 
@@ -94,7 +94,7 @@ def run(poses: Poses | None, *detections: Detection):
 
 
 def test_each_image_is_associated_from_the_first_pose_at_or_after_it():
-    away = POSE + [3.0, 3.0, 1.0]
+    away = POSE + np.array([3.0, 3.0, 1.0])
     poses = Poses()
     for utime, pose in ((99_999, away), (100_000, POSE), (299_999, away), (310_000, POSE)):
         poses.add(utime, tuple(pose))

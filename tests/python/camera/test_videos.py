@@ -59,7 +59,7 @@ class Camera:
         self.script, self.opens, self.asked = script, opens, {}
         self.used_up = Event()
 
-    def isOpened(self) -> bool:  # noqa: N802
+    def isOpened(self) -> bool:
         return self.opens
 
     def set(self, key: int, value: float) -> None:

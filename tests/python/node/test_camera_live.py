@@ -10,11 +10,11 @@ import pytest
 
 import pilotage
 from pilotage import lcmtypes
-from pilotage.live import URL, play
 from pilotage.lcmtypes import status_t
+from pilotage.live import URL, play
 from support.bus import Node, node
 from support.command import CAMERA, pilotage_camera
-from support.drawn import drawn, part
+from support.drawn import drawn
 
 REST_US = 1_000_000
 """Of the drive after the last image: all poses in it know all images."""
