@@ -81,9 +81,9 @@ def _sensor(config: Config, name: str) -> list[str]:
         noise.append(f"range {of('sigma_range_m'):g} m{per_m}")
     kind = {
         "markers": "",
-        "pixels": ", pixels in its images",
         "pose": ", fixes of the pose",
         "walls": ", ranges to walls",
+        "pixels": ", pixels of markers",
     }[measures]
     return [
         f"{name} at x {of('x_m'):g} m, y {of('y_m'):g} m, {height}"
@@ -97,8 +97,9 @@ def _camera(config: Config, name: str) -> list[str]:
     camera = config.camera(name)
     if camera is None:
         return []
-    (width, height), (focal, *_) = camera.size, camera.matrix
-    across = math.degrees(2 * math.atan(width / 2 / focal))
+    width, height = camera.size
+    left, right = camera.rays(np.array([[x, (height - 1) / 2] for x in (-0.5, width - 0.5)]))
+    across = math.degrees(math.acos(left @ right))
     entry = config.detectors.get(name)
     kind = entry.get("kind") if isinstance(entry, dict) else None
     return [
