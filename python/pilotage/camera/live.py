@@ -5,6 +5,7 @@ import signal
 from collections import deque
 from collections.abc import Callable, Mapping
 from contextlib import suppress
+from pathlib import Path
 from queue import Empty, Full, Queue
 from select import select
 from struct import error as StructError
@@ -22,7 +23,8 @@ from .offline import STAMP
 from .pace import DrivesPace, OwnPace
 from .poses import Poses
 from .program import Options, Watched, conclude, picture, watched
-from .screen import Screen
+from .screen import Screen, save_image
+from .tally import Tally
 
 STATUS_S = 1.0
 ANSWER_S = 0.3
@@ -105,6 +107,9 @@ def look_live(options: Options, speed: float, follow: bool, url: str | None) -> 
     config = load_config(str(options.config))
     cameras = watched(config, options, time_ns() // 1000)
     screen = Screen([camera.eye.name for camera in cameras], options.show, options.save_video)
+    if options.save_images is not None:
+        for camera in cameras:
+            (options.save_images / camera.eye.name).mkdir(parents=True, exist_ok=True)
     stop = Event()
     _stop_on_signals(stop)
     listener = Listener(url, config, stop)
@@ -120,6 +125,8 @@ def look_live(options: Options, speed: float, follow: bool, url: str | None) -> 
         pace = (listener.drive if follow else own_pace) if recorded else lambda _: True
         try:
             for seen in look(camera.eye, camera.source, camera.tally, pace):
+                if options.save_images is not None:
+                    _save(options.save_images / camera.eye.name, seen, camera.tally)
                 seq = camera.tally.published
                 if _send(config, camera, seen, bus, listener.poses) and screen:
                     due = monotonic() + ANSWER_S
@@ -160,6 +167,12 @@ def _send(config: Config, camera: Watched, seen: Seen, bus: Any, poses: Poses) -
                 f"clock, or sensors.{eye.name}.time to mapped",
             )
     return True
+
+
+def _save(folder: Path, seen: Seen, tally: Tally) -> None:
+    image = seen.frame.image
+    if image is None or not save_image(folder, seen.frame.utime, image):
+        tally.warn("not_saved", f"{folder / str(seen.frame.utime)}.png cannot be written")
 
 
 def _put(pictures: "Queue[Drawable]", one: Drawable, stop: Event) -> None:

@@ -27,6 +27,7 @@ class Options:
     begin: int | None
     show: bool
     save_video: Path | None
+    save_images: Path | None
     say: Callable[[str], None]
 
 

@@ -60,6 +60,12 @@ class Screen:
         return [self._files[name] for name in self._videos]
 
 
+def save_image(folder: Path, utime: int, image: Image) -> bool:
+    """Write an image as it came, named by its stamp as `images.folder` reads it; whether it is."""
+    options = cv2.IMWRITE_PNG_COMPRESSION, 1
+    return bool(cv2.imwrite(str(folder / f"{utime}.png"), image, options))
+
+
 def _writer(file: Path, picture: Image, rate_hz: float) -> Any:
     rate = rate_hz if math.isfinite(rate_hz) else USUAL_HZ
     codec = cv2.VideoWriter.fourcc(*CODECS[file.suffix])

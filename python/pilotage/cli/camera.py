@@ -62,6 +62,13 @@ def camera(
         Path | None,
         typer.Option(help="Write the same as a video (.mp4, .avi), one a camera."),
     ] = None,
+    save_images: Annotated[
+        Path | None,
+        typer.Option(
+            help="Of what is sent over LCM: keep the images as they came, for this program to read "
+            "again: in a folder in this one for each camera."
+        ),
+    ] = None,
     lcm_url: Annotated[str | None, typer.Option(help="LCM_DEFAULT_URL unless given.")] = None,
     version: Annotated[
         bool,
@@ -90,7 +97,13 @@ def camera(
     from ..simulate.fields import within
 
     options = Options(
-        config=config, inputs=inputs, begin=begin, show=show, save_video=save_video, say=_say
+        config=config,
+        inputs=inputs,
+        begin=begin,
+        show=show,
+        save_video=save_video,
+        save_images=save_images,
+        say=_say,
     )
     within("--speed", speed, 1e-3, 1e6)
     if output is None:
@@ -100,6 +113,8 @@ def camera(
             from ..camera.live import look_live
         some = look_live(options, speed, follow, lcm_url)
     else:
+        if save_images is not None:
+            raise ValueError("--save-images is of what is sent over LCM: leave -o out")
         some = look_offline(options, output, poses, merge)
     if not some:
         raise typer.Exit(1)

@@ -111,6 +111,7 @@ def test_if_no_image_could_be_used_the_exit_status_is_1(folder: Path):
         (("/dev/video99",), "/dev/video99 cannot be opened: is it there, and not in use?"),
         (("front", "--show"), "--show needs an OpenCV with windows and a screen"),
         (("front", "--save-video", "a.gif"), "--save-video a.gif: expected .mp4 or .avi"),
+        (("front", "-o", "f.lcmlog", "--save-images", "a"), "--save-images is of what is sent"),
         (("front", "--poses", "a.lcmlog"), "--poses and --merge are of recorded images"),
         (("front", "--speed", "0"), "--speed is 0, expected 0.001 to 1e+06"),
         (("front", "-o", "f.lcmlog", "--poses", "nowhere"), "nowhere: no such file or folder"),

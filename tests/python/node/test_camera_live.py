@@ -1,10 +1,13 @@
 """Images to a pose with real processes: pilotage-camera, LCM, pilotage-node and the drive."""
 
 import subprocess
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import cv2
+import lcm
 import numpy as np
 import pytest
 
@@ -153,9 +156,13 @@ def assert_dead_reckoning_at_the_end(running: Node) -> None:
     assert states[-1] == status_t.DEAD_RECKONING
 
 
-def small_picture() -> bytes:
-    import cv2
+def picture(file: Path) -> np.ndarray:
+    image = cv2.imread(str(file))
+    assert image is not None, file
+    return image
 
+
+def small_picture() -> bytes:
     return cv2.imencode(".png", np.zeros((48, 64, 3), np.uint8))[1].tobytes()
 
 
@@ -172,7 +179,8 @@ def test_a_camera_that_is_gone_is_said_by_the_node_which_goes_on(tmp_path: Path)
 
 def test_the_camera_ends_on_a_signal_and_says_where_all_frames_went(tmp_path: Path):
     drawn(tmp_path, "aruco-ring", 1.0)
-    with camera(tmp_path, "camera", "--speed", "0.01") as process:
+    options = ("--speed", "0.01", "--save-images", "kept")
+    with camera(tmp_path, "camera", *options) as process:
         bus = Listening()
         bus.wait(2)
         process.terminate()
@@ -181,12 +189,13 @@ def test_the_camera_ends_on_a_signal_and_says_where_all_frames_went(tmp_path: Pa
     assert "published + 1 ended; " in words
     assert len(bus.frames) >= 2
     assert [frame.seq for frame in bus.frames] == list(range(len(bus.frames)))
+    for frame in bus.frames:
+        kept = tmp_path / "kept" / "camera" / f"{frame.utime}.png"
+        assert np.array_equal(picture(kept), picture(tmp_path / "camera" / f"{kept.stem}.jpg"))
 
 
 class Listening:
     def __init__(self):
-        import lcm
-
         self.bus = lcm.LCM(URL)
         self.frames = []
         self.bus.subscribe(
@@ -194,8 +203,6 @@ class Listening:
         )
 
     def wait(self, count: int) -> None:
-        import time
-
         end = time.monotonic() + 30
         while len(self.frames) < count:
             assert time.monotonic() < end, "no frames"
