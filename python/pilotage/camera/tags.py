@@ -79,6 +79,16 @@ class TagDetector:
         ]
         return [tag for tag in found if np.isfinite(tag.pixel).all()]
 
+    def sensor_pose(self, tag: TagDetection, position: Array) -> tuple[Array, Array] | None:
+        """Return what a `pose_fix_t` says, of a tag surveyed at a position (3,) in frame map [m].
+
+        x, y [m], heading [rad] of the sensor, their covariance (3, 3); None where the pose is in
+        doubt or `yaw_rad` does not say where the tag looks.
+        """
+        if tag.pose is None or tag.id not in self.yaw_rad:
+            return None
+        return tag.pose.sensor_in_map(position, self.yaw_rad[tag.id])
+
     def _measure(self, grey: Image, number: int, corners: Array) -> TagDetection:
         refined = refine(grey, corners, self._modules, self.camera)
         corners, covariance = refined or (corners, COARSE_PX**2 * np.eye(8))

@@ -79,7 +79,8 @@ def test_tags_and_the_sensors_pose_from_each():
     ]
     camera = Optics(pitch_rad=0.0).whole
     image, shown = look(camera, 0.5, tags)
-    found = {one.id: one for one in TagDetector(camera, "4x4_50", 0.2).detect(image)}
+    detector = TagDetector(camera, "4x4_50", 0.2, {tag.id: tag.yaw_rad for tag in tags})
+    found = {one.id: one for one in detector.detect(image)}
     assert sorted(found) == [1, 2, 3]
     eye = POSE[:2] + 0.1 * np.array([math.cos(POSE[2]), math.sin(POSE[2])])
     for tag in tags:
@@ -87,9 +88,11 @@ def test_tags_and_the_sensors_pose_from_each():
         assert np.abs(one.pixel - shown([tag.centre])[0]).max() < 0.1
         # The renderer divides a large tag's pixels by four, so a side may be off by an eighth.
         assert np.abs(one.outline - shown(tag.corners())).max() < 0.2
-        assert one.pose is not None
-        pose, covariance = one.pose.sensor_in_map(tag.centre, tag.yaw_rad)
+        fix = detector.sensor_pose(one, tag.centre)
+        assert fix is not None
+        pose, covariance = fix
         error = pose - [*eye, POSE[2] + 0.05]
         assert np.abs(error[:2]).max() < 0.03
         assert abs(error[2]) < 0.02
+        assert TagDetector(camera, "4x4_50", 0.2).sensor_pose(one, tag.centre) is None
         assert (np.abs(error) < 6 * np.sqrt(covariance.diagonal())).all()
