@@ -1,6 +1,8 @@
 """Cameras and world of a scenario file: every key is read, and every error names what is wrong."""
 
 import re
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -99,3 +101,11 @@ def test_what_is_wrong_is_named(tmp_path, path, value, words):
     with pytest.raises(ValueError, match=words) as caught:
         find_scenario(changed(tmp_path, *path, value=value))
     assert str(caught.value).startswith(str(tmp_path / "site.yaml"))
+
+
+def test_no_picture_no_opencv():
+    code = (
+        "import sys, pilotage.simulate as simulate; simulate.find_scenario('poles'); "
+        "sys.exit('cv2' in sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", code]).returncode == 0
