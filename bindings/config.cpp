@@ -1,6 +1,7 @@
 #include "engine/config.hpp"
 
 #include <pybind11/stl.h>
+#include <pybind11/typing.h>
 
 #include <algorithm>
 #include <optional>
@@ -14,6 +15,8 @@ namespace py = pybind11;
 namespace pilotage::bindings {
 
 namespace {
+
+using Section = py::typing::Dict<py::str, py::object>;
 
 Field find(Config& config, const std::string& key) {
     try {
@@ -63,16 +66,16 @@ void set_camera(Config& config, const std::string& sensor, const CameraModel& ca
     config.params.sensors[i].camera = camera;
 }
 
-py::dict detectors(const Config& config) {
+Section detectors(const Config& config) {
     if (config.detectors.empty()) return {};
     const py::object section =
         py::module_::import("yaml").attr("safe_load")(readable(config.detectors));
-    return py::isinstance<py::dict>(section) ? py::dict(section) : py::dict();
+    return section.is_none() ? Section() : Section(section);
 }
 
-void set_detectors(Config& config, const py::dict& section) {
-    config.detectors = py::str(
-        py::module_::import("yaml").attr("safe_dump")(section, py::arg("sort_keys") = false));
+void set_detectors(Config& config, const Section& section) {
+    const py::str yaml = py::module_::import("yaml").attr("safe_dump")(section);
+    config.detectors = kept_section(yaml, "Config.detectors");
 }
 
 }  // namespace

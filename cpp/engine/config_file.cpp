@@ -109,16 +109,46 @@ void apply_file(Config& config, const std::string& key, const YAML::Node& value,
         config.calibrate(sensor_of(key), parse_intrinsics(list, name));
 }
 
-/// Of a section that is kept as it stands: what no reader of YAML takes in one way only.
-void check_kept(const YAML::Node& node, const std::string& where, int depth = 0) {
+/// Writes a section that is kept as it stands. Quotes stay: they make text of what looks like a
+/// number.
+void keep(const YAML::Node& node, const std::string& where, YAML::Emitter& out, int depth = 0) {
     constexpr int deepest = 20;  // an alias may hold what it stands in
     if (depth > deepest) fail(where, node, "this is nested too deep");
-    if (node.IsMap())
-        each_pair(node, where, [&](const std::string&, const YAML::Node&, const YAML::Node& value) {
-            check_kept(value, where, depth + 1);
-        });
-    else if (node.IsSequence())
-        for (const auto& item : node) check_kept(item, where, depth + 1);
+    if (node.IsMap()) {
+        out << YAML::BeginMap;
+        each_pair(node, where,
+                  [&](const std::string& key, const YAML::Node&, const YAML::Node& value) {
+                      out << YAML::Key << key << YAML::Value;
+                      keep(value, where, out, depth + 1);
+                  });
+        out << YAML::EndMap;
+    } else if (node.IsSequence()) {
+        out << YAML::BeginSeq;
+        for (const auto& item : node) keep(item, where, out, depth + 1);
+        out << YAML::EndSeq;
+    } else if (node.IsNull()) {
+        out << YAML::Null;
+    } else {
+        const bool quoted = node.Tag() == "!";
+        if (quoted) out << YAML::DoubleQuoted;
+        out << node.Scalar();
+    }
+}
+
+/// \return the section in the form in which it is kept; empty if it is
+std::string kept_section(const YAML::Node& section, const std::string& where) {
+    if (section.IsNull()) return "";
+    if (!section.IsMap()) fail(where, section, "'detectors' is a section, by sensor");
+    YAML::Emitter out;
+    keep(section, where, out);
+    return out.c_str();
+}
+
+std::string indented(const std::string& text) {
+    std::istringstream lines(text);
+    std::string result;
+    for (std::string line; std::getline(lines, line);) result += "  " + line + "\n";
+    return result;
 }
 
 /// Whether there are keys under it.
@@ -137,10 +167,7 @@ void apply(Config& config, const YAML::Node& node, const std::string& prefix,
                   const std::string line = at(where, at_key.Mark());
                   const bool file = is_file(key);
                   if (key == "detectors") {
-                      if (!value.IsMap() && !value.IsNull())
-                          fail(where, at_key, "'detectors' is a section, by sensor");
-                      check_kept(value, where);
-                      config.detectors = YAML::Dump(value);
+                      config.detectors = kept_section(value, where);
                   } else if (file && !value.IsScalar()) {
                       (void)field(config, key, line);  // an unknown key is named
                       apply_file(config, key, value, where, folder);
@@ -204,6 +231,10 @@ MarkerMap load_map(const std::string& path) {
     return parse_map(parse_yaml(read_file(path), path), path);
 }
 
+std::string kept_section(const std::string& yaml, const std::string& where) {
+    return kept_section(parse_yaml(yaml, where), where);
+}
+
 Config load_config(const std::string& path) {
     const auto slash = path.rfind('/');
     return parse_config(read_file(path), path,
@@ -254,9 +285,9 @@ std::string to_yaml(const Config& config) {
         else
             node[last] = f.text();
     }
-    if (!config.detectors.empty()) root["detectors"] = YAML::Load(config.detectors);
     std::ostringstream text;
     text << root << "\n";
+    if (!config.detectors.empty()) text << "detectors:\n" << indented(config.detectors);
     if (!config.map.markers().empty()) text << "map:\n" << to_yaml(config.map);
     if (!config.walls.walls().empty()) text << "walls:\n" << to_yaml(config.walls);
     return text.str();

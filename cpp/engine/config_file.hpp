@@ -17,6 +17,9 @@ namespace pilotage {
 [[nodiscard]] Config parse_config(const std::string& yaml, const std::string& where,
                                   const std::string& folder);
 
+/// The section `detectors` as Config keeps it. \throws ConfigError
+[[nodiscard]] std::string kept_section(const std::string& yaml, const std::string& where);
+
 /// The whole configuration as YAML, every key with its value, the map written out in it.
 [[nodiscard]] std::string to_yaml(const Config& config);
 

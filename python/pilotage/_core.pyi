@@ -234,12 +234,12 @@ class Config:
         Every key with its value, and the map.
         """
     @property
-    def detectors(self) -> dict:
+    def detectors(self) -> dict[str, typing.Any]:
         """
         The section of that name as it stands, by sensor; empty where there is none. The node passes over it.
         """
     @detectors.setter
-    def detectors(self, arg1: dict) -> None:
+    def detectors(self, arg1: dict[str, typing.Any]) -> None:
         ...
     @property
     def map(self) -> MarkerMap:

@@ -100,9 +100,12 @@ def test_a_camera_can_be_set_and_turned_in_memory():
 
 
 def test_the_section_of_detectors_is_passed_over_as_it_stands(tmp_path):
-    robot = ROBOT + "detectors: {front: {kind: tags, size_m: 0.2, deep: [{a: yes}]}}\n"
+    robot = ROBOT + "detectors: {front: {kind: tags, size_m: 0.2, deep: [{a: yes, b: '007'}, ~]}}\n"
     config = load(tmp_path, robot=robot)
-    assert config.detectors == {"front": {"kind": "tags", "size_m": 0.2, "deep": [{"a": True}]}}
+    assert config.detectors == {
+        "front": {"kind": "tags", "size_m": 0.2, "deep": [{"a": True, "b": "007"}, None]}
+    }
+    assert pilotage.Config.parse(config.to_yaml()).detectors == config.detectors
     assert pilotage.Config().detectors == {}
 
 
