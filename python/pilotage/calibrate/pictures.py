@@ -7,8 +7,8 @@ from pathlib import Path
 import cv2
 
 from ..camera.detection import Image
+from ..camera.images import ENDINGS
 
-PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm", ".ppm", ".webp")
 EVERY_S = 1.0
 """Of a video, a frame so often."""
 
@@ -23,7 +23,7 @@ def pictures(inputs: Sequence[str]) -> Iterator[tuple[str, Image]]:
     """
     for given in inputs:
         for file in _files(given):
-            if file.suffix.lower() in PICTURES:
+            if file.suffix.lower() in ENDINGS:
                 picture = cv2.imread(str(file), cv2.IMREAD_GRAYSCALE)
                 if picture is None:
                     raise ValueError(f"{file} cannot be read as a picture: leave it out")
@@ -35,13 +35,13 @@ def pictures(inputs: Sequence[str]) -> Iterator[tuple[str, Image]]:
 def _files(given: str) -> list[Path]:
     path = Path(given)
     if path.is_dir():
-        found = sorted(file for file in path.iterdir() if file.suffix.lower() in PICTURES)
+        found = sorted(file for file in path.iterdir() if file.suffix.lower() in ENDINGS)
     elif path.exists():
         found = [path]
     else:
         found = sorted(Path(name) for name in glob(given, recursive=True))
     if not found:
-        kinds = ", ".join(kind[1:] for kind in PICTURES)
+        kinds = ", ".join(ending[1:] for ending in ENDINGS)
         raise ValueError(f"{given}: no picture is there ({kinds}), nor a video of that name")
     return found
 

@@ -5,13 +5,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from .. import CameraModel, Config, Recording
+from ..camera import images
 from ..camera.detection import Array, Detection
-from ..camera.kinds import make_detector
+from ..camera.eye import make_eye
+from ..camera.looking import look
+from ..camera.tally import Tally
 from ..lcmtypes import marker_frame_t, pixel_frame_t
 
 pixel_message: Any = pixel_frame_t  # generated without types
@@ -93,34 +95,26 @@ def of_log(recording: Recording, config: Config, sensor: str) -> Sightings:
     return _with_sigmas(Sightings.of(rows), config, sensor)
 
 
-def of_pictures(folder: Path, config: Config, sensor: str) -> Sightings:
-    """Detect markers in pictures named by their time in µs, as the configuration's detector does.
+def of_pictures(folder: Path, config: Config, sensor: str, tally: Tally) -> Sightings:
+    """Detect markers in pictures with stamps, as the configuration's detector does.
 
     Raises
     ------
     ValueError
-        If there are no such pictures, or the detector finds nothing in any.
+        If there are no such pictures, or the detector finds nothing in any; the tally has said why.
     """
-    camera = _camera(config, sensor)
-    if sensor not in config.detectors:
-        raise ValueError(
-            f"detectors.{sensor} is missing: say in the configuration what to look for"
-        )
-    files = sorted((f for f in folder.glob("*") if f.stem.isdigit()), key=lambda f: int(f.stem))
-    if not files:
-        raise ValueError(f"{folder} has no pictures that are named by their time in µs")
-    height = float(config[f"sensors.{sensor}.z_m"])
-    detector = make_detector(config.detectors[sensor], camera, height, f"detectors.{sensor}")
-    rows: list[Any] = []
-    for file in files:
-        picture = cv2.imread(str(file))
-        if picture is None:
-            raise ValueError(f"{file} cannot be read as a picture: leave it out")
-        rows += [_row(int(file.stem), one) for one in detector.detect(picture) if one.has_elevation]
+    _camera(config, sensor)
+    eye = make_eye(config, sensor)
+    rows = [
+        _row(seen.utime, one)
+        for seen in look(eye, images.folder(folder), tally)
+        for one in seen.detections
+        if one.has_elevation
+    ]
     if not rows:
         raise ValueError(
-            f"detectors.{sensor} found nothing with a pixel of its own in the {len(files)} "
-            f"pictures of {folder}"
+            f"detectors.{sensor} found nothing with a pixel of its own in the pictures of "
+            f"{folder}: {tally.summary()}"
         )
     return Sightings.of(rows)
 

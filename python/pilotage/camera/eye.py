@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 
-
 from .. import CameraModel, Config
 from .detection import Detector
 from .kinds import make_detector, mounting_noise, shutter

@@ -43,15 +43,17 @@ def intrinsics(
     Example: pilotage camera-calibrate intrinsics pictures/ --board "chessboard 9x6 0.025" -o
     front.yaml
     """
-    _needs_opencv()
     import numpy as np
 
-    from ..calibrate.boards import parse_board
-    from ..calibrate.doubts import coverage, doubts
-    from ..calibrate.intrinsics import LENSES, calibrate, rms
-    from ..calibrate.looking import find_views
-    from ..calibrate.pictures import pictures
-    from ..camera.intrinsics_file import write_intrinsics
+    from .opencv import needs_opencv
+
+    with needs_opencv("camera-calibrate"):
+        from ..calibrate.boards import parse_board
+        from ..calibrate.doubts import coverage, doubts
+        from ..calibrate.intrinsics import LENSES, calibrate, rms
+        from ..calibrate.looking import find_views
+        from ..calibrate.pictures import pictures
+        from ..camera.intrinsics_file import write_intrinsics
     from ..plot import style
     from ..plot.calibration import residuals_figure
     from .console import aligned, print_findings
@@ -123,11 +125,13 @@ def extrinsics(
     Example: pilotage camera-calibrate extrinsics robot.yaml drive.lcmlog --sensor front --pictures
     drive/front
     """
-    _needs_opencv()
     import numpy as np
 
+    from .opencv import needs_opencv
+
+    with needs_opencv("camera-calibrate"):
+        from ..calibrate.extrinsics import calibrate
     from .. import load_config
-    from ..calibrate.extrinsics import calibrate
     from ..calibrate.reprojection import NAMES
     from ..calibrate.weak import weaknesses
     from ..calibrate.words import configuration_lines, left_words, parameter_rows
@@ -181,9 +185,10 @@ def _camera_of(config: "Config", sensor: str | None, file: Path) -> str:
 
 def _seen(log: "Log", config: "Config", sensor: str, folder: Path | None) -> "Sightings":
     from ..calibrate.sightings import of_log, of_pictures
+    from ..camera.tally import Tally
 
     if folder is not None:
-        return of_pictures(folder, config, sensor)
+        return of_pictures(folder, config, sensor, Tally(sensor, typer.echo))
     return of_log(log.recording, config, sensor)
 
 
@@ -194,16 +199,6 @@ def _poses(log: "Log", file: Path | None) -> "NDArray[Any]":
     if file is not None:
         return read_trajectory(file)
     return log.truth if log.truth is not None else recorded_poses(log.recording)
-
-
-def _needs_opencv() -> None:
-    try:
-        import cv2  # noqa: F401
-    except ImportError as error:
-        raise ImportError(
-            f"camera-calibrate needs OpenCV ({error}): pip install 'pilotage[camera]', or, on a "
-            "machine without a screen, pip install opencv-python-headless"
-        ) from error
 
 
 def _print(lines: list[str]) -> None:

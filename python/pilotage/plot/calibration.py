@@ -81,17 +81,14 @@ def _hatched(corner: tuple[float, float], width: float, height: float):  # type:
 
 
 def _cloud(axes: Axes, residuals: Array, before: Array | None) -> None:
-    if before is not None:
-        axes.plot(*before.T, ".", color=style.MARKER, markersize=2, label=f"before {_rms(before)}")
-    after = f"after {_rms(residuals)}" if before is not None else _rms(residuals)
-    axes.plot(*residuals.T, ".", color=style.DOT, markersize=2, label=after)
-    shown = residuals if before is None else np.concatenate([residuals, before])
-    limit = 1.1 * float(np.nanmax(np.abs(shown)))
+    axes.plot(*residuals.T, ".", color=style.DOT, markersize=2)
+    limit = 1.1 * float(np.nanmax(np.abs(residuals)))
     axes.set(xlim=(-limit, limit), ylim=(limit, -limit), aspect="equal")
     style.name_axis(axes.xaxis, "residual in u (px)")
     style.name_axis(axes.yaxis, "in v (px)")
-    style.corner_legend(axes)
+    was = "" if before is None else f", before {_rms(before)}"
+    style.headline(axes, _rms(residuals) + was)
 
 
 def _rms(residuals: Array) -> str:
-    return f"{np.sqrt(np.nanmean((residuals**2).sum(axis=1))):.2f} px rms"
+    return f"{np.sqrt(np.nanmean((residuals**2).sum(axis=1))):.3g} px rms"
