@@ -16,6 +16,10 @@ FEWEST = 6
 """Corners of a view: fewer say too little of where the board is."""
 
 
+WINDOW = 0.4
+"""Of the shortest side of a square in the picture: about a corner so much to each side is seen."""
+
+
 @dataclass(frozen=True, eq=False)
 class View:
     """The corners that one picture shows.
@@ -65,7 +69,7 @@ class Chessboard:
             return None
         v, u = np.divmod(np.arange(self.columns * self.rows), self.columns)
         points = self.square_m * np.column_stack([u, v, np.zeros_like(u)])
-        return points, np.asarray(corners, dtype=np.float64).reshape(-1, 2)
+        return points, _refined(grey, np.asarray(corners).reshape(self.rows, self.columns, 2))
 
     def hint(self, grey: Image) -> str:
         """Try the sizes next to this one: squares counted instead of corners, rows for columns."""
@@ -77,6 +81,19 @@ class Chessboard:
                     "where four squares meet"
                 )
         return ""
+
+
+def _refined(grey: Image, corners: NDArray[np.float32]) -> Array:
+    """Return corners (rows, columns, 2) px as (n, 2), found once more where edges cross.
+
+    Those of the sector-based finder are off by up to 0.2 px where the board is tilted.
+    """
+    steps = (np.linalg.norm(np.diff(corners, axis=axis), axis=2).min() for axis in (0, 1))
+    reach = max(2, int(WINDOW * min(steps)))
+    ends = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_COUNT, 50, 1e-4)
+    start = corners.reshape(-1, 1, 2).astype(np.float32)
+    found = cv2.cornerSubPix(grey, start, (reach, reach), (-1, -1), ends)
+    return np.asarray(found, dtype=np.float64).reshape(-1, 2)
 
 
 @dataclass(frozen=True)
@@ -138,12 +155,12 @@ def parse_board(words: Sequence[str]) -> Board:
         raise ValueError(usage)
     try:
         columns, rows = (int(n) for n in text[1].lower().split("x"))
-        square = float(text[2])
-        if text[0] == "chessboard":
-            return Chessboard(columns, rows, square)
-        tag = float(text[3])
+        sides = [float(word) for word in text[2:4]]
     except ValueError as error:
-        if "expected" in str(error):
-            raise ValueError(f"--board: {error}") from error
         raise ValueError(usage) from error
-    return Charuco(columns, rows, square, tag, text[4])
+    try:
+        if text[0] == "chessboard":
+            return Chessboard(columns, rows, *sides)
+        return Charuco(columns, rows, sides[0], sides[1], text[4])
+    except ValueError as error:
+        raise ValueError(f"--board: {error}") from error
