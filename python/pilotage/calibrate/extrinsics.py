@@ -92,7 +92,7 @@ def calibrate(
     dropped: dict[str, int] = {}
     # Where a pose is known however the latency comes out.
     margin = round(3e6 * (0.05 if free[6] else 0.0))
-    known = np.isfinite(
+    known: NDArray[np.bool_] = np.isfinite(
         [
             interpolate(poses, seen.utime - round(1e6 * start[6]) + s)[:, 0]
             for s in (-margin, margin)

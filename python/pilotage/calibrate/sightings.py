@@ -40,7 +40,7 @@ class Sightings:
     sigma: Array
 
     @classmethod
-    def of(cls, rows: Sequence[tuple[int, int, int, float, float, float, float]]) -> "Sightings":
+    def of(cls, rows: Sequence[tuple[float, ...]]) -> "Sightings":
         """Make it of utime, id, label, u, v and their sigmas a row."""
         utime, number, label, *values = np.array(rows, dtype=np.float64).reshape(-1, 7).T
         u, v, sigma_u, sigma_v = values

@@ -69,7 +69,7 @@ def intrinsics(
     typer.echo(f"{len(views)} pictures of {size[0]} by {size[1]} with the board")
     for name in without:
         typer.echo(f"  not in {name}")
-    rows = [("picture", "corners", "rms px", "largest px", "tilt °")]
+    rows: list[tuple[str, ...]] = [("picture", "corners", "rms px", "largest px", "tilt °")]
     for view, left, tilt in zip(views, found.residuals, np.degrees(found.tilts_rad), strict=True):
         largest = np.hypot(*left.T).max()
         rows.append(

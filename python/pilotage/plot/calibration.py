@@ -3,6 +3,7 @@
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 from numpy.typing import NDArray
 
 from . import style
@@ -58,7 +59,12 @@ def _in_picture(
         rows, columns = covered.shape
         for row, column in zip(*np.nonzero(~covered), strict=True):
             corner = (column * width / columns, row * height / rows)
-            axes.add_patch(_hatched(corner, width / columns, height / rows))
+            axes.add_patch(
+                Rectangle(
+                    corner, width / columns, height / rows, facecolor="none", edgecolor="#cccccc",
+                    hatch="///", linewidth=0,
+                )
+            )  # fmt: skip
     typical = float(np.percentile(np.hypot(*residuals.T), 90.0))
     factor = LONGEST * width / max(typical, 1e-9)
     axes.quiver(
@@ -70,14 +76,6 @@ def _in_picture(
     style.name_axis(axes.xaxis, "u (px)")
     style.name_axis(axes.yaxis, "v (px)")
     style.headline(axes, f"residuals, {factor:.0f} times as long")
-
-
-def _hatched(corner: tuple[float, float], width: float, height: float):  # type: ignore[no-untyped-def]
-    from matplotlib.patches import Rectangle
-
-    return Rectangle(
-        corner, width, height, facecolor="none", edgecolor="#cccccc", hatch="///", linewidth=0
-    )
 
 
 def _cloud(axes: Axes, residuals: Array, before: Array | None) -> None:

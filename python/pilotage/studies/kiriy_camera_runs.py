@@ -178,8 +178,9 @@ def with_frames(config: Config, log: Path, seen: Sights) -> Recording:
     for name, some in seen.items():
         eye = make_eye(config, name)
         for seq, s in enumerate(some):
-            data = message(eye, s.utime, seq, s.detections, config.map).encode()
-            frames.append(Found(s.utime, eye.channel, data))
+            frame = message(eye, s.utime, seq, s.detections, config.map)
+            assert frame is not None  # only poses may be left out
+            frames.append(Found(s.utime, eye.channel, frame.encode()))
     return merged(config, log, frames, list(seen))[0]
 
 

@@ -145,9 +145,7 @@ def test_a_mounting_from_what_a_log_has_of_the_camera(drive, tmp_path, kind):
 def _as_seen(frame, as_pixels):
     """A frame as a camera of the wrong configuration sends it: right pixels, its own angles."""
     scene = find_scenario("mower-cameras").scene.cameras[0]
-    told = CameraModel(
-        scene.model.size, scene.model.matrix, list(scene.model.distortion), 0.0, 0.2
-    )
+    told = CameraModel(scene.model.size, scene.model.matrix, list(scene.model.distortion), 0.0, 0.2)
     bearing, elevation = np.array([(s.bearing, s.elevation) for s in frame.sightings]).T
     flat = np.cos(elevation)
     rays = np.column_stack([flat * np.cos(bearing), flat * np.sin(bearing), np.sin(elevation)])

@@ -29,9 +29,7 @@ class BoardCamera:
         """(h, w, parts, 3) in OpenCV's camera frame."""
         width, height = self.model.size
         fine = (np.arange(PARTS) + 0.5) / PARTS - 0.5
-        v, u, dv, du = np.meshgrid(
-            np.arange(height), np.arange(width), fine, fine, indexing="ij"
-        )
+        v, u, dv, du = np.meshgrid(np.arange(height), np.arange(width), fine, fine, indexing="ij")
         pixels = np.column_stack([(u + du).ravel(), (v + dv).ravel()])
         return (self.model.rays(pixels) @ self.model.rotation).reshape(height, width, -1, 3)
 
@@ -47,9 +45,10 @@ class BoardCamera:
         with np.errstate(divide="ignore", invalid="ignore"):
             scale = -origin[2] / rays[..., 2]
         at = (origin[:2] + scale[..., None] * rays[..., :2]) / square_m * TEXELS
-        column, row = np.floor(at + 2 * TEXELS).astype(int)[..., 0], np.floor(
-            at + 2 * TEXELS
-        ).astype(int)[..., 1]
+        column, row = (
+            np.floor(at + 2 * TEXELS).astype(int)[..., 0],
+            np.floor(at + 2 * TEXELS).astype(int)[..., 1],
+        )
         inside = (scale > 0) & (row >= 0) & (column >= 0)
         inside &= (row < texture.shape[0]) & (column < texture.shape[1])
         light = np.full(inside.shape, 120.0)
