@@ -4,6 +4,7 @@ import typer
 
 from . import (
     assignment,
+    camera_calibrate,
     check,
     config,
     convert,
@@ -57,6 +58,7 @@ for command in (
 ):
     app.command()(command)
 app.add_typer(map.app, name="map")
+app.add_typer(camera_calibrate.app, name="camera-calibrate")
 
 
 def main() -> None:
