@@ -12,6 +12,7 @@ from .detection import Detector
 from .discs import DiscDetector
 from .mounting import MountingNoise
 from .poles import PoleDetector
+from .shutter import Shutter
 from .tags import TagDetector
 
 KINDS: dict[str, type[Detector]] = {
@@ -21,12 +22,14 @@ KINDS: dict[str, type[Detector]] = {
 }
 _FROM_SENSOR = {"discs": ("camera", "height_m"), "poles": ("camera",), "tags": ("camera",)}
 _MOUNTING = tuple(inspect.signature(MountingNoise).parameters)
+_SHUTTER = tuple(inspect.signature(Shutter).parameters)
+_OF_CAMERA = (*_MOUNTING, *_SHUTTER)
 
 
 def keys(kind: str) -> list[str]:
-    """Return the keys of a kind of detector, those of its camera's mounting among them."""
+    """Return the keys of a kind of detector, those of its camera among them."""
     own = [n for n in inspect.signature(KINDS[kind]).parameters if n not in _FROM_SENSOR[kind]]
-    return ["kind", *own, *_MOUNTING]
+    return ["kind", *own, *_OF_CAMERA]
 
 
 def make_detector(content: Any, camera: CameraModel, height_m: float, where: str) -> Detector:
@@ -50,7 +53,7 @@ def make_detector(content: Any, camera: CameraModel, height_m: float, where: str
     for key, read in _READ.items():
         if key in given:
             arguments[key] = read(given.pop(key), f"{where}.{key}")
-    rest = {key: value for key, value in given.items() if key not in _MOUNTING}
+    rest = {key: value for key, value in given.items() if key not in _OF_CAMERA}
     if kind == "poles" and "colours" not in arguments:
         raise ValueError(f"{where}: 'colours' is missing: by label, as in {{1: yellow, 2: blue}}")
     return call(KINDS[kind], rest, where, **arguments)
@@ -58,9 +61,17 @@ def make_detector(content: Any, camera: CameraModel, height_m: float, where: str
 
 def mounting_noise(content: Any, where: str) -> MountingNoise:
     """Read the keys of a detector's entry that say how well its camera's mounting is known."""
+    return call(MountingNoise, _some(content, _MOUNTING, where), where)
+
+
+def shutter(content: Any, where: str) -> Shutter:
+    """Read the keys of a detector's entry that say when its camera's images are taken."""
+    return call(Shutter, _some(content, _SHUTTER, where), where)
+
+
+def _some(content: Any, names: tuple[str, ...], where: str) -> dict[str, Any]:
     _, given = _checked(content, where)
-    own = {key: value for key, value in given.items() if key in _MOUNTING}
-    return call(MountingNoise, own, where)
+    return {key: value for key, value in given.items() if key in names}
 
 
 def _checked(content: Any, where: str) -> tuple[str, dict[str, Any]]:

@@ -28,8 +28,6 @@ class MountingNoise:
     def covariance(self, camera: CameraModel, pixels: Array) -> Array:
         """Return what it adds to the covariance (n, 2, 2) rad^2 of azimuth and elevation."""
         rays = camera.rays(pixels)
-        # R = Ry(pitch) Rx(roll): rolled about the optical axis, pitched about y, turned about z.
-        axes = np.array([camera.rotation[:, 2], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
         x, y, z = rays.T
         flat2 = x**2 + y**2
         flat = np.sqrt(flat2)
@@ -41,10 +39,41 @@ class MountingNoise:
             ],
             axis=1,
         )
-        jacobian = by_ray @ np.cross(axes[:, None], rays).transpose(1, 2, 0)
-        sigma2 = np.array([self.sigma_roll_rad, self.sigma_pitch_rad, self.sigma_yaw_rad]) ** 2
-        covariance: Array = (jacobian * sigma2) @ jacobian.transpose(0, 2, 1)
+        return self._spread(by_ray @ _swing(camera, rays).transpose(1, 2, 0))
+
+    def pixel_covariance(self, camera: CameraModel, pixels: Array) -> Array:
+        """Return what it adds to the covariance (n, 2, 2) px^2 of where markers show."""
+        if not any(vars(self).values()):
+            return np.zeros((len(pixels), 2, 2))
+        rays, step = camera.rays(pixels), 1e-4
+        moved = [
+            [camera.project(rays + side * step * swing) for side in (1, -1)]
+            for swing in _swing(camera, rays)
+        ]
+        return self._spread(np.stack([(a - b) / (2 * step) for a, b in moved], axis=2))
+
+    def heading_variance(self, camera: CameraModel) -> float:
+        """Return what it adds to the variance [rad^2] of the sensor's heading by a tag."""
+        return float((self._sigmas() ** 2) @ _axes(camera)[:, 2] ** 2)
+
+    def _spread(self, jacobian: Array) -> Array:
+        """Carry the three variances over by a Jacobian (n, 2, 3)."""
+        covariance: Array = (jacobian * self._sigmas() ** 2) @ jacobian.transpose(0, 2, 1)
         return covariance
+
+    def _sigmas(self) -> Array:
+        return np.array([self.sigma_roll_rad, self.sigma_pitch_rad, self.sigma_yaw_rad])
+
+
+def _axes(camera: CameraModel) -> Array:
+    """Return those (3, 3) of roll, pitch and yaw in the level sensor frame, a row each."""
+    # R = Ry(pitch) Rx(roll): rolled about the optical axis, pitched about y, turned about z.
+    return np.array([camera.rotation[:, 2], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+
+
+def _swing(camera: CameraModel, rays: Array) -> Array:
+    """Return how rays (n, 3) move (3, n, 3) with a small roll, pitch, yaw."""
+    return np.cross(_axes(camera)[:, None], rays)
 
 
 def angles(

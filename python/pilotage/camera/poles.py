@@ -12,10 +12,15 @@ from .blobs import EDGE_PX, Blob, Coverage, blobs, coverage
 from .colour import Colour, hue_saturation_value
 from .detection import Array, Detection, Image, check_size
 
-LINE_SAMPLING_PX = 0.01
+LINE_SAMPLING_PX = 0.02
 """What a pixel's finite size leaves of error in a centre line, measured without noise."""
-END_SAMPLING_PX = 0.05
-"""Likewise in an end's row."""
+END_SAMPLING_PX = 0.15
+"""Likewise in an end's row, and what a picture's compression does to it."""
+FRINGE, FRINGE_PX = 0.3, 8
+"""A blob beside a pole of another colour is its fringe if it has less than so much of its width.
+
+Compressed pictures hold colours in blocks of some pixels: beside a red pole there is an orange rim.
+"""
 STRIP_ROWS = 24
 """Of a pole that are held against one background: it reaches from the grass into the sky."""
 THINNEST_PX = 0.5
@@ -69,7 +74,8 @@ class PoleDetector:
             for label, colour in self.colours.items()
             for blob in blobs(colour.mask(hsv), self.min_area_px)
         )
-        return [detection for detection in found if detection is not None]
+        poles = [detection for detection in found if detection is not None]
+        return [one for one in poles if not any(_is_fringe(one, other) for other in poles)]
 
     def _measure(self, image: Image, blob: Blob, label: int) -> Detection | None:
         _, top, width, height = blob.box
@@ -173,6 +179,16 @@ class PoleDetector:
         high, low = math.tan(up), math.tan(down)
         distance = (self.height_m + self.radius_m * (abs(high) - low)) / (high - low)
         return distance, math.hypot(distance, (distance - self.radius_m) * low)
+
+
+def _is_fringe(one: Detection, other: Detection) -> bool:
+    """Tell whether a blob is the rim of another one of another colour."""
+    (low, high), (other_low, other_high) = (
+        (blob.outline.min(axis=0), blob.outline.max(axis=0)) for blob in (one, other)
+    )
+    narrow = high[0] - low[0] + 1 < FRINGE * (other_high[0] - other_low[0] + 1)
+    beside = (low <= other_high + FRINGE_PX).all() and (high >= other_low - FRINGE_PX).all()
+    return one.label != other.label and narrow and bool(beside)
 
 
 def _end(image: Image, blob: Blob, inside: int, outward: int) -> End | None:

@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass, field, replace
-from difflib import get_close_matches
 
 import cv2
 import numpy as np
@@ -10,17 +9,12 @@ import numpy as np
 from .. import CameraModel
 from ..simulate.fields import within
 from .detection import Array, Detection, Image, check_size
+from .dictionaries import dictionary_of
 from .square import refine
 from .tag_pose import TagPose, tag_poses
 
 COARSE_PX = 0.4
 """Of a corner that only `cv2.cornerSubPix` has found."""
-DICTIONARIES = {
-    name.removeprefix("DICT_").lower(): getattr(cv2.aruco, name)
-    for name in dir(cv2.aruco)
-    if name.startswith("DICT_")
-}
-"""OpenCV's sets of tags by name: 4x4_50, apriltag_36h11, ..."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,14 +48,7 @@ class TagDetector:
         if self.size_m is not None:
             within("size_m", self.size_m, 1e-3, 10.0)
         within("max_ambiguity", self.max_ambiguity, 0.0, 1.0)
-        name = self.dictionary.removeprefix("DICT_").lower()
-        if name not in DICTIONARIES:
-            (near,) = get_close_matches(name, DICTIONARIES, n=1, cutoff=0.0)
-            raise ValueError(
-                f"dictionary is {self.dictionary}; the nearest known one is '{near}' "
-                f"of {', '.join(DICTIONARIES)}"
-            )
-        dictionary = cv2.aruco.getPredefinedDictionary(DICTIONARIES[name])
+        dictionary = dictionary_of(self.dictionary)
         parameters = cv2.aruco.DetectorParameters()
         parameters.cornerRefinementMethod = cv2.aruco.CORNER_REFINE_SUBPIX
         object.__setattr__(self, "_modules", dictionary.markerSize + 2)

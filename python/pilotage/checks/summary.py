@@ -89,6 +89,23 @@ def _sensor(config: Config, name: str) -> list[str]:
         f"{name} at x {of('x_m'):g} m, y {of('y_m'):g} m, {height}"
         f"yaw {math.degrees(of('yaw_rad')):.3g}°{kind}",
         f"  σ of {', '.join(noise)}; fusion {config[f'sensors.{name}.fusion']}",
+        *_camera(config, name),
+    ]
+
+
+def _camera(config: Config, name: str) -> list[str]:
+    camera = config.camera(name)
+    if camera is None:
+        return []
+    width, height = camera.size
+    left, right = camera.rays(np.array([[x, (height - 1) / 2] for x in (-0.5, width - 0.5)]))
+    across = math.degrees(math.acos(left @ right))
+    entry = config.detectors.get(name)
+    kind = entry.get("kind") if isinstance(entry, dict) else None
+    return [
+        f"  camera of {width} by {height} px, {across:.0f}° across, pitched "
+        f"{math.degrees(camera.pitch_rad):.3g}° down, rolled {math.degrees(camera.roll_rad):.3g}°"
+        + (f"; finds {kind}" if kind else "")
     ]
 
 

@@ -1,11 +1,10 @@
 """The list of commands."""
 
-import sys
-
 import typer
 
 from . import (
     assignment,
+    camera_calibrate,
     check,
     config,
     convert,
@@ -20,6 +19,7 @@ from . import (
     status,
     study,
 )
+from .words import run
 
 app = typer.Typer(
     help="Localizes ground robots on surveyed markers, with dead reckoning in between.",
@@ -58,20 +58,9 @@ for command in (
 ):
     app.command()(command)
 app.add_typer(map.app, name="map")
+app.add_typer(camera_calibrate.app, name="camera-calibrate")
 
 
 def main() -> None:
-    """Run the command line; what a user can mend is said in a line, not in a traceback."""
-    try:
-        app()
-    except (ValueError, KeyError, OSError, RuntimeError, ImportError) as error:
-        print(f"pilotage: {_in_words(error)}", file=sys.stderr)
-        sys.exit(2)
-
-
-def _in_words(error: Exception) -> str:
-    if isinstance(error, KeyError):
-        return str(error.args[0])  # its own text is in quotes
-    if isinstance(error, OSError) and error.filename is not None:
-        return f"{error.filename}: {error.strerror}"
-    return str(error)
+    """Run the command line."""
+    run(app, "pilotage")

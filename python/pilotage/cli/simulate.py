@@ -157,15 +157,11 @@ def simulate(
 def _draw(scenario: "Scenario", rng: "np.random.Generator", folder: Path, jobs: int) -> None:
     """Draw pictures into a folder and say what to do with them."""
     from .console import check_jobs, make_folder, progress_bar
+    from .opencv import needs_opencv
 
     check_jobs(jobs)
-    try:
+    with needs_opencv("--cameras"):
         from ..simulate.pictures import take_pictures
-    except ImportError as error:
-        raise ImportError(
-            f"--cameras needs OpenCV ({error}): pip install 'pilotage[camera]', or, on a machine "
-            "without a screen, pip install opencv-python-headless"
-        ) from error
     make_folder(folder)
     with progress_bar("drawing") as progress:
         taken = take_pictures(scenario, rng, folder, jobs, progress)

@@ -6,6 +6,7 @@ the columns are those of the listing in its appendix.
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +27,7 @@ from .log import Log
 KIND = "mower"
 LOOKED_FOR = "a folder with *poselog*.txt, *angles*.txt and *map*.txt"
 
+POSE_COLUMNS = {"time": 2, "x": 18, "y": 19, "heading": 20}
 FILES = (Path("poselog"), Path("angles"), Path("map"))
 TICK_M = 1e-6
 """Metres per encoder tick in the recording: fine enough to lose nothing of any wheel's travel."""
@@ -68,9 +70,7 @@ class Triple:
 def read_triple(folder: Path) -> Triple:
     """Read the files without converting anything."""
     poselog, angles, markers = _the_files(folder)
-    row = read_columns(
-        poselog, {"time": 2, "left": 3, "right": 4, "gyro": 8, "x": 18, "y": 19, "heading": 20}
-    )
+    row = read_columns(poselog, {"left": 3, "right": 4, "gyro": 8, **POSE_COLUMNS})
     if row["time"].size == 0:
         raise ValueError(f"{poselog}: holds no rows")
     seen = read_columns(angles, {"time": 0, "id": 1, "azimuth": 2, "elevation": 3})
@@ -85,6 +85,13 @@ def read_triple(folder: Path) -> Triple:
         marker_id=whole_numbers(marker["id"], markers, "marker id"),
         marker_position=np.column_stack([marker["x"], marker["y"]]),
     )
+
+
+def read_poses(poselog: Path) -> NDArray[Any]:
+    """Read the poses of a pose log alone, as rows of `evaluate.TRAJECTORY`."""
+    row = read_columns(poselog, POSE_COLUMNS)
+    utime = microseconds(row["time"], poselog)
+    return trajectory(utime, row["x"], row["y"], row["heading"])
 
 
 def read(folder: Path) -> Log:

@@ -3,12 +3,11 @@
 from pathlib import Path
 from typing import Any
 
-import cv2
 import numpy as np
 import yaml
 
+from ..camera.intrinsics_file import write_intrinsics
 from .measuring import Measured, suitable_config
-from .picture_camera import PictureCamera
 from .scenario import Scenario
 from .scene import Scene
 
@@ -20,21 +19,11 @@ def write_robot(scenario: Scenario, scene: Scene, measured: Measured, folder: Pa
     """Write ``robot.yaml``, ``markers.yaml`` and each camera's intrinsics into a folder."""
     measured.markers.save(str(folder / MAP))
     for camera in scene.cameras:
-        write_intrinsics(camera, folder / f"{camera.name}.yaml")
+        optics = camera.model
+        write_intrinsics(
+            folder / f"{camera.name}.yaml", optics.size, optics.matrix, np.array(camera.distortion)
+        )
     (folder / ROBOT).write_text(_configuration(scenario, scene, measured), encoding="utf-8")
-
-
-def write_intrinsics(camera: PictureCamera, file: Path) -> None:
-    """Write a camera's matrix and distortion as OpenCV does."""
-    fx, fy, cx, cy = camera.model.matrix
-    distortion = np.zeros(8 if len(camera.distortion) > 5 else 5)
-    distortion[: len(camera.distortion)] = camera.distortion
-    storage = cv2.FileStorage(str(file), cv2.FILE_STORAGE_WRITE)
-    storage.write("image_width", camera.model.size[0])
-    storage.write("image_height", camera.model.size[1])
-    storage.write("camera_matrix", np.array([[fx, 0.0, cx], [0.0, fy, cy], [0.0, 0.0, 1.0]]))
-    storage.write("distortion_coefficients", distortion[None])
-    storage.release()
 
 
 def _configuration(scenario: Scenario, scene: Scene, measured: Measured) -> str:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-NAMES = ("kiriy-buehler", "sousa-poles", "kohler", "tamas", "assignment")
+NAMES = ("kiriy-buehler", "kiriy-cameras", "sousa-poles", "kohler", "tamas", "assignment")
 
 
 @dataclass(frozen=True)
