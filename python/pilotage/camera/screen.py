@@ -51,6 +51,11 @@ class Screen:
                 self._videos[name] = _writer(self._files[name], picture, rate_hz)
             self._videos[name].write(picture)
 
+    def idle(self) -> None:
+        """Let windows be moved and covered while no picture comes."""
+        if self._show:
+            cv2.waitKey(1)
+
     def close(self) -> list[Path]:
         """Finish the files; return those that were written."""
         for video in self._videos.values():
