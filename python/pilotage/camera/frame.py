@@ -29,8 +29,11 @@ class Source(Protocol):
 
     rate_hz: float
     """About how many images there are a second, NaN unknown."""
-    live: bool
-    """Whether it gives images at their own pace."""
+
+    @property
+    def begin(self) -> int | None:
+        """Stamp of its first image, µs; None: it gives them as they are taken."""
+        ...
 
     def frames(self, tally: Tally) -> Iterator[Frame]:
         """Yield what is read; what cannot be used has a reason. The tally is told of the rest."""

@@ -30,8 +30,6 @@ class Stamped(NamedTuple):
 class ImageFiles:
     """The images of a folder or of a pattern, in order of time."""
 
-    live = False
-
     def __init__(self, paths: Iterable[Path], what: str):
         """Find the stamps of files; `what` is how the user calls them all."""
         files = _stamped(sorted(path for path in paths if path.suffix.lower() in ENDINGS))
@@ -42,7 +40,9 @@ class ImageFiles:
             raise ValueError(f"{what}: {files[0].path.name} {NO_STAMP}")
         self._files = sorted(known, key=lambda file: file.utime or 0)
         self._files += [file for file in files if file.utime is None]
-        steps = np.diff([file.utime or 0 for file in known])
+        stamps = sorted(file.utime or 0 for file in known)
+        self.begin = stamps[0]
+        steps = np.diff(stamps)
         self.rate_hz = 1e6 / float(np.median(steps)) if steps.size and steps.any() else math.nan
         self._closed = False
 

@@ -52,13 +52,16 @@ def is_device(what: str) -> bool:
     return DEVICE.fullmatch(what) is not None and not Path(what).is_dir()
 
 
-def open_source(what: str, size: tuple[int, int], begin: int | None) -> Source:
+def open_source(
+    what: str, size: tuple[int, int], begin: int | None, otherwise: int | None = None
+) -> Source:
     """Open a video device, a folder of images, a pattern of image files, or a video file.
 
     Parameters
     ----------
     size : (width, height) px, which a device is asked for
     begin : µs, time of a video's first frame; None: its name is that time
+    otherwise : the same where its name is none
 
     Raises
     ------
@@ -78,10 +81,10 @@ def open_source(what: str, size: tuple[int, int], begin: int | None) -> Source:
             "file, a folder of images or a pattern of them ('front/*.png')"
         )
     if begin is None:
-        if not path.stem.isdecimal():
+        begin = int(path.stem) if path.stem.isdecimal() else otherwise
+        if begin is None:
             raise ValueError(
                 f"{what} does not say when it begins: give --begin in microseconds on the robot's "
                 "clock, or name the file by it, as 1000417.mp4"
             )
-        begin = int(path.stem)
     return VideoFile(path, begin)

@@ -22,13 +22,13 @@ class Seen(NamedTuple):
 
 
 def look(
-    eye: Eye, source: Source, tally: Tally, pace: Callable[[int], None] = lambda _: None
+    eye: Eye, source: Source, tally: Tally, pace: Callable[[int], bool] = lambda _: True
 ) -> Iterator[Seen]:
     """Yield what is found in each image that can be used; the tally counts the others.
 
     Parameters
     ----------
-    pace : is called with each image's stamp [µs], and returns when it is time for it
+    pace : is called with each image's stamp [µs], and returns when it is time for it; False ends
     """
     before: int | None = None
     for frame in source.frames(tally):
@@ -41,7 +41,9 @@ def look(
         if last is not None and frame.utime <= last:
             _refuse_stamp(tally, frame, last)
             continue
-        pace(frame.utime)
+        if not pace(frame.utime):
+            tally.drop("ended")
+            return
         seen = _detect(eye, frame, tally)
         if seen is not None:
             yield seen

@@ -5,14 +5,14 @@ from typing import Any
 
 import numpy as np
 
-from .. import MarkerMap
+from .. import MarkerMap, lcmtypes
 from ..evaluate import wrap_angle
-from ..lcmtypes import marker_frame_t, marker_sighting_t, pixel_frame_t, pixel_observation_t
-from ..lcmtypes import pose_fix_t as fix_t
 from .detection import Array, Detection
 from .eye import Eye
 from .mounting import angles
 from .tags import TagDetection, TagDetector
+
+TYPES: Any = lcmtypes  # generated, without hints
 
 
 def message(
@@ -29,7 +29,7 @@ def message(
     """
     if eye.measures == "pose":
         return _fix(eye, utime, seq, detections, markers)
-    frame = marker_frame_t() if eye.measures == "markers" else pixel_frame_t()
+    frame = TYPES.marker_frame_t() if eye.measures == "markers" else TYPES.pixel_frame_t()
     frame.utime, frame.seq, frame.sensor, frame.n = utime, seq, eye.name, len(detections)
     if eye.measures == "markers":
         frame.sightings = _sightings(eye, detections)
@@ -45,7 +45,7 @@ def _sightings(eye: Eye, detections: Sequence[Detection]) -> list[Any]:
     for one, (bearing, elevation), sigmas in zip(
         detections, value.tolist(), sigma.tolist(), strict=True
     ):
-        sighting = marker_sighting_t()
+        sighting = TYPES.marker_sighting_t()
         sighting.id, sighting.label = one.id, one.label
         sighting.bearing, sighting.elevation, sighting.range = bearing, elevation, one.range_m
         sighting.sigma_bearing, sighting.sigma_elevation = sigmas
@@ -61,7 +61,7 @@ def _observations(eye: Eye, detections: Sequence[Detection]) -> list[Any]:
     sigma = np.sqrt(np.diagonal(covariance, axis1=1, axis2=2))
     observations = []
     for one, pixel, sigmas in zip(detections, pixels.tolist(), sigma.tolist(), strict=True):
-        observation = pixel_observation_t()
+        observation = TYPES.pixel_observation_t()
         observation.id, observation.label = one.id, one.label
         observation.u, observation.v = pixel
         observation.sigma_u, observation.sigma_v = sigmas
@@ -73,16 +73,17 @@ def _fix(
     eye: Eye, utime: int, seq: int, detections: Sequence[Detection], markers: MarkerMap
 ) -> Any | None:
     """Return the pose by all tags that tell one, each weighted by its information."""
-    fixes = [fix for one in detections if (fix := _by_tag(eye, one, markers)) is not None]
+    by_tag = [_by_tag(eye, one, markers) for one in detections]
+    fixes = [fix for fix in by_tag if fix is not None]
     if not fixes:
         return None
     pose, covariance = _mean(fixes)
     covariance[2, 2] += eye.noise.heading_variance(eye.camera)
-    fix = fix_t()
-    fix.utime, fix.seq, fix.sensor = utime, seq, eye.name
-    fix.x, fix.y, fix.heading = pose.tolist()
-    fix.covariance = covariance.ravel().tolist()
-    return fix
+    told = TYPES.pose_fix_t()
+    told.utime, told.seq, told.sensor = utime, seq, eye.name
+    told.x, told.y, told.heading = pose.tolist()
+    told.covariance = covariance.ravel().tolist()
+    return told
 
 
 def _by_tag(eye: Eye, one: Detection, markers: MarkerMap) -> tuple[Array, Array] | None:
@@ -95,14 +96,15 @@ def _by_tag(eye: Eye, one: Detection, markers: MarkerMap) -> tuple[Array, Array]
 def _mean(fixes: Sequence[tuple[Array, Array]]) -> tuple[Array, Array]:
     """Return the likeliest pose (3,) and its covariance (3, 3), the fixes being independent."""
     start = fixes[0][0]
-    information, weighted = np.zeros((3, 3)), np.zeros(3)
+    information: Array = np.zeros((3, 3))
+    weighted: Array = np.zeros(3)
     for pose, covariance in fixes:
         inverse = np.linalg.inv(covariance)
         step = pose - start
         step[2] = wrap_angle(step[2])
         information += inverse
         weighted += inverse @ step
-    covariance = np.linalg.inv(information)
-    pose = start + covariance @ weighted
+    spread = np.asarray(np.linalg.inv(information), dtype=np.float64)
+    pose = start + spread @ weighted
     pose[2] = wrap_angle(pose[2])
-    return pose, covariance
+    return pose, spread

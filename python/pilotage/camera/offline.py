@@ -3,7 +3,7 @@
 import struct
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -19,11 +19,8 @@ from .tally import Tally
 
 STAMP = struct.Struct(">8xq")
 """Every message begins with its type's fingerprint and its utime."""
-FRAMES = {
-    fingerprint: kind
-    for kind in (lcmtypes.marker_frame_t, lcmtypes.pixel_frame_t, lcmtypes.pose_fix_t)
-    if (fingerprint := kind().encode()[:8])
-}
+KINDS: tuple[Any, ...] = (lcmtypes.marker_frame_t, lcmtypes.pixel_frame_t, lcmtypes.pose_fix_t)
+FRAMES = {kind().encode()[:8]: kind for kind in KINDS}
 
 
 class Found(NamedTuple):
@@ -98,7 +95,8 @@ def merged(
         else:
             together.add(at, channel, data)
     for one in found:
-        row = order[min(np.searchsorted(utime, one.utime, sorter=order), utime.size - 1)]
+        after = int(np.searchsorted(utime, one.utime, sorter=order))
+        row = order[min(after, utime.size - 1)]
         together.add(one.utime + int(received[row] - utime[row]), one.channel, one.data)
     together.sort()
     return together, replaced

@@ -4,6 +4,7 @@ from bisect import bisect_left
 from collections import deque
 from pathlib import Path
 from threading import Lock
+from time import monotonic
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,9 @@ from .detection import Array
 KEPT = 2000
 """Poses that are remembered, ten seconds at 200 Hz."""
 
+FRESH_S = 1.0
+"""A pose that was heard longer ago is not the newest of a drive that goes on."""
+
 
 class Poses:
     """The newest poses; they may come while others ask."""
@@ -27,6 +31,7 @@ class Poses:
     def __init__(self, rows: NDArray[Any] | None = None, kept: int | None = KEPT):
         """Begin with rows of `evaluate.TRAJECTORY`, in order of time."""
         self._lock = Lock()
+        self._heard = 0.0
         self._utime: deque[int] = deque(maxlen=kept)
         self._pose: deque[tuple[float, float, float]] = deque(maxlen=kept)
         for row in rows if rows is not None else ():
@@ -38,14 +43,16 @@ class Poses:
             if self._utime and utime < self._utime[-1]:
                 self._utime.clear()
                 self._pose.clear()
+            self._heard = monotonic()
             self._utime.append(utime)
             self._pose.append(pose)
 
     @property
     def newest(self) -> int | None:
-        """Time of the newest, µs."""
+        """Time of the newest, µs; None if there is none or it was heard long ago."""
         with self._lock:
-            return self._utime[-1] if self._utime else None
+            fresh = self._utime and monotonic() - self._heard < FRESH_S
+            return self._utime[-1] if fresh else None
 
     def at(self, utime: int, or_before: bool = False) -> Array | None:
         """Return the first pose (3,) [m, m, rad] at a time or after it, as the first paper has it.

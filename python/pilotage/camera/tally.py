@@ -6,7 +6,7 @@ from threading import Lock
 from time import monotonic
 
 QUIET_S = 1.0
-"""A camera says no more often than this that frames were dropped."""
+"""A camera says the same no more often than this."""
 
 
 class Tally:
@@ -24,13 +24,24 @@ class Tally:
         self._unsaid: Counter[str] = Counter()
 
     def say(self, words: str) -> None:
-        """Say something about the camera as a whole."""
+        """Say something of the camera as a whole."""
         self._say(f"{self.name}: {words}")
 
-    def frame(self, count: int = 1) -> None:
-        """Count frames that were read."""
+    def warn(self, reason: str, words: str) -> None:
+        """Say what is so of one frame, unless the same was said just now."""
         with self._lock:
-            self.read += count
+            now = monotonic()
+            if now - self._said.get(reason, -QUIET_S) < QUIET_S:
+                self._unsaid[reason] += 1
+                return
+            self._said[reason] = now
+            more = self._unsaid.pop(reason, 0)
+        self.say(words + (f" (and {more} more since)" if more else ""))
+
+    def frame(self) -> None:
+        """Count a frame that was read."""
+        with self._lock:
+            self.read += 1
 
     def publish(self, detections: int) -> None:
         """Count a frame that was published."""
@@ -38,19 +49,19 @@ class Tally:
             self.published += 1
             self.detections += detections
 
-    def drop(self, reason: str, words: str = "", count: int = 1) -> None:
-        """Count frames that were not published, and say why, now and then."""
+    def drop(self, reason: str, words: str = "") -> None:
+        """Count a frame that was read and not published; words say why, now and then."""
         with self._lock:
-            self.dropped[reason] += count
-            if not words:
-                return
-            now = monotonic()
-            if now - self._said.get(reason, -QUIET_S) < QUIET_S:
-                self._unsaid[reason] += count
-                return
-            self._said[reason] = now
-            more = self._unsaid.pop(reason, 0)
-        self.say(words + (f" (and {more} more before it)" if more else ""))
+            self.dropped[reason] += 1
+        if words:
+            self.warn(reason, words)
+
+    def settle(self, reason: str) -> None:
+        """Count what was read and is not accounted for, when the camera's work has broken off."""
+        with self._lock:
+            open_ones = self.read - self.published - self.dropped.total()
+            if open_ones > 0:
+                self.dropped[reason] += open_ones
 
     def summary(self) -> str:
         """Return where all frames went."""

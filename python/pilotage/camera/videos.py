@@ -7,6 +7,7 @@ from threading import Condition, Thread
 from time import sleep, time_ns
 
 import cv2
+import numpy as np
 
 from .detection import Image
 from .frame import Frame
@@ -21,11 +22,9 @@ MISSES = 3
 class VideoFile:
     """A video, its frames dated by the time at which it begins."""
 
-    live = False
-
     def __init__(self, path: Path, begin: int):
         """Open it; `begin` is the time of its first frame, µs."""
-        self._path, self._begin = path, begin
+        self._path, self.begin = path, begin
         self._video = cv2.VideoCapture(str(path))
         if not self._video.isOpened():
             raise ValueError(f"{path}: no video that this OpenCV can read")
@@ -43,7 +42,7 @@ class VideoFile:
                 break
             at_ms = self._video.get(cv2.CAP_PROP_POS_MSEC)
             first = at_ms if first is None else first
-            yield Frame(self._begin + round(1e3 * (at_ms - first)), f"frame {count}", image)
+            yield Frame(self.begin + round(1e3 * (at_ms - first)), f"frame {count}", image)
             count += 1
         if not self._closed and count < self._expected:
             tally.say(
@@ -63,7 +62,7 @@ class Device:
     A thread of its own grabs, so that an image is dated when it comes and not when it is wanted.
     """
 
-    live = True
+    begin = None
 
     def __init__(self, device: int | str, size: tuple[int, int]):
         """Open it; `size` is (width, height) px, which it is asked for."""
@@ -115,8 +114,8 @@ class Device:
         while not self._closed:
             grabbed = self._video.grab()
             utime = time_ns() // 1000
-            there, image = self._video.retrieve() if grabbed else (False, None)
-            if not there:
+            there, taken = self._video.retrieve() if grabbed else (False, None)
+            if not there or taken is None:
                 missed += 1
                 if missed >= MISSES:
                     self._find_again(tally)
@@ -127,7 +126,7 @@ class Device:
                 if self._newest is not None:
                     tally.frame()
                     tally.drop("busy")
-                self._newest = (utime, number, image)
+                self._newest = (utime, number, np.asarray(taken, np.uint8))
                 number += 1
                 self._news.notify()
         self._video.release()

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 from itertools import chain
 
 from .. import Config
-from . import markers, motion, sensors, timing
+from . import cameras, markers, motion, sensors, timing
 from .finding import Finding
 from .summary import summarize
 from .timing import no_multicast
@@ -16,7 +16,13 @@ from .timing import no_multicast
 __all__ = ["Check", "Finding", "check_config", "no_multicast", "summarize"]
 
 Check = Callable[[Config], Iterable[Finding]]
-CHECKS: tuple[Check, ...] = (*motion.CHECKS, *sensors.CHECKS, *markers.CHECKS, *timing.CHECKS)
+CHECKS: tuple[Check, ...] = (
+    *motion.CHECKS,
+    *sensors.CHECKS,
+    *cameras.CHECKS,
+    *markers.CHECKS,
+    *timing.CHECKS,
+)
 
 
 def check_config(config: Config) -> list[Finding]:

@@ -15,7 +15,7 @@ SMALLEST = dict(zip(SIGMAS.values(), (1e-4, 1e-4, 1e-3), strict=True))
 
 def nothing_to_see(config: Config) -> Iterator[Finding]:
     """Find a missing map or missing sensors."""
-    if config.marker_sensors and len(config.map) == 0:
+    if (config.marker_sensors or config.pixel_sensors) and len(config.map) == 0:
         yield Finding(
             "map",
             "missing: there is nothing to see, and pilotage-node does not start",
@@ -28,6 +28,13 @@ def nothing_to_see(config: Config) -> Iterator[Finding]:
             f"missing: there is nothing for {ranging[0]} to see, and pilotage-node does not start",
             "name a file of walls with walls: here, or list them",
         )
+    for name in config.pixel_sensors:
+        if config.camera(name) is None:
+            yield Finding(
+                f"sensors.{name}.intrinsics",
+                "missing: no pixel tells anything, and pilotage-node does not start",
+                "name the file of the camera's calibration, as OpenCV or ROS writes it",
+            )
     if not config.sensors:
         yield Finding(
             "sensors",
@@ -38,7 +45,7 @@ def nothing_to_see(config: Config) -> Iterator[Finding]:
 
 def never_mounted(config: Config) -> Iterator[Finding]:
     """Find sensors in the robot's origin, where there is none."""
-    for name in config.marker_sensors:
+    for name in config.marker_sensors + config.pixel_sensors:
         if all(config[f"sensors.{name}.{part}"] == 0.0 for part in MOUNTING):
             yield Finding(
                 f"sensors.{name}",

@@ -66,7 +66,7 @@ def _sensor(config: Config, name: str) -> list[str]:
         return float(config[f"sensors.{name}.{key}"])
 
     measures = config[f"sensors.{name}.measures"]
-    height = f"z {of('z_m'):g} m, " if measures == "markers" else ""
+    height = f"z {of('z_m'):g} m, " if measures in ("markers", "pixels") else ""
     noise = []
     if measures == "markers":
         noise.append(f"bearing {math.degrees(of('sigma_bearing_rad')):.3g}°")
@@ -74,14 +74,38 @@ def _sensor(config: Config, name: str) -> list[str]:
     if measures == "pose":
         noise.append(f"position {of('sigma_position_m'):g} m")
         noise.append(f"heading {math.degrees(of('sigma_heading_rad')):.3g}°")
+    elif measures == "pixels":
+        noise.append(f"u and v {of('sigma_pixel'):g} px")
     else:
         per_m = f" + {of('sigma_range_per_m'):g} of it" if of("sigma_range_per_m") else ""
         noise.append(f"range {of('sigma_range_m'):g} m{per_m}")
-    kind = {"markers": "", "pose": ", fixes of the pose", "walls": ", ranges to walls"}[measures]
+    kind = {
+        "markers": "",
+        "pose": ", fixes of the pose",
+        "walls": ", ranges to walls",
+        "pixels": ", pixels of markers",
+    }[measures]
     return [
         f"{name} at x {of('x_m'):g} m, y {of('y_m'):g} m, {height}"
         f"yaw {math.degrees(of('yaw_rad')):.3g}°{kind}",
         f"  σ of {', '.join(noise)}; fusion {config[f'sensors.{name}.fusion']}",
+        *_camera(config, name),
+    ]
+
+
+def _camera(config: Config, name: str) -> list[str]:
+    camera = config.camera(name)
+    if camera is None:
+        return []
+    width, height = camera.size
+    left, right = camera.rays(np.array([[x, (height - 1) / 2] for x in (-0.5, width - 0.5)]))
+    across = math.degrees(math.acos(left @ right))
+    entry = config.detectors.get(name)
+    kind = entry.get("kind") if isinstance(entry, dict) else None
+    return [
+        f"  camera of {width} by {height} px, {across:.0f}° across, pitched "
+        f"{math.degrees(camera.pitch_rad):.3g}° down, rolled {math.degrees(camera.roll_rad):.3g}°"
+        + (f"; finds {kind}" if kind else "")
     ]
 
 

@@ -49,10 +49,25 @@ def camera(
     speed: Annotated[
         float, typer.Option(help="Of recorded images sent over LCM, times real time.")
     ] = 1.0,
+    follow: Annotated[
+        bool,
+        typer.Option(
+            "--follow",
+            help="Of recorded images sent over LCM: send each when the drive's motion that is "
+            "heard has come to its time, as beside lcm-logplayer.",
+        ),
+    ] = False,
     show: Annotated[bool, typer.Option("--show", help="Show what is found in a window.")] = False,
     save_video: Annotated[
         Path | None,
         typer.Option(help="Write the same as a video (.mp4, .avi), one a camera."),
+    ] = None,
+    save_images: Annotated[
+        Path | None,
+        typer.Option(
+            help="Of what is sent over LCM: keep the images as they came, for this program to read "
+            "again: in a folder in this one for each camera."
+        ),
     ] = None,
     lcm_url: Annotated[str | None, typer.Option(help="LCM_DEFAULT_URL unless given.")] = None,
     version: Annotated[
@@ -79,16 +94,27 @@ def camera(
     """
     with needs_opencv(PROGRAM):
         from ..camera.program import Options, look_offline
+    from ..simulate.fields import within
+
     options = Options(
-        config=config, inputs=inputs, begin=begin, show=show, save_video=save_video, say=_say
+        config=config,
+        inputs=inputs,
+        begin=begin,
+        show=show,
+        save_video=save_video,
+        save_images=save_images,
+        say=_say,
     )
+    within("--speed", speed, 1e-3, 1e6)
     if output is None:
         if poses is not None or merge is not None:
             raise ValueError("--poses and --merge are of recorded images: name a log with -o")
         with needs_opencv(PROGRAM):
             from ..camera.live import look_live
-        some = look_live(options, speed, lcm_url)
+        some = look_live(options, speed, follow, lcm_url)
     else:
+        if save_images is not None:
+            raise ValueError("--save-images is of what is sent over LCM: leave -o out")
         some = look_offline(options, output, poses, merge)
     if not some:
         raise typer.Exit(1)

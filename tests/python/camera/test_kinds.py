@@ -5,9 +5,10 @@ pytest.importorskip("cv2")
 
 from pilotage.camera.colour import COLOURS, Colour, hue_saturation_value
 from pilotage.camera.discs import DiscDetector
-from pilotage.camera.kinds import KINDS, keys, make_detector, mounting_noise
+from pilotage.camera.kinds import KINDS, keys, make_detector, mounting_noise, shutter
 from pilotage.camera.mounting import MountingNoise
 from pilotage.camera.poles import PoleDetector
+from pilotage.camera.shutter import Shutter
 from pilotage.camera.tags import TagDetector
 from support.optics import Optics
 
@@ -46,6 +47,14 @@ def test_mounting_noise_stands_beside_the_detectors_keys():
     assert make(**content) == make(kind="discs", radius_m=0.1)
     for kind in KINDS:
         assert {"kind", "sigma_roll_rad", "sigma_pitch_rad", "sigma_yaw_rad"} <= set(keys(kind))
+
+
+def test_the_time_of_capture_stands_there_too():
+    content = {"kind": "discs", "radius_m": 0.1, "exposure_offset_s": 0.01, "readout_s": 0.03}
+    assert shutter(content, WHERE) == Shutter(0.01, 0.03)
+    assert make(**content) == make(kind="discs", radius_m=0.1)
+    with pytest.raises(ValueError, match=r"detectors.front: readout_s is -1, expected 0 to 1"):
+        shutter({**content, "readout_s": -1}, WHERE)
 
 
 @pytest.mark.parametrize(

@@ -65,3 +65,21 @@ def test_no_detections_are_no_angles():
 def test_a_negative_sigma_is_an_error():
     with pytest.raises(ValueError, match="sigma_pitch_rad is -1, expected 0 to 1"):
         MountingNoise(sigma_pitch_rad=-1.0)
+
+
+@pytest.mark.parametrize("pixel", [(320, 240), (40, 60), (600, 400)])
+def test_mounting_noise_in_pixels_against_cameras_mounted_a_little_otherwise(pixel):
+    rng = np.random.default_rng(4)
+    point = camera().rays(np.array([pixel], dtype=float))
+    seen = []
+    for roll, pitch, yaw in np.array(SIGMAS) * rng.standard_normal((4000, 3)):
+        c, s = np.cos(yaw), np.sin(yaw)
+        turned = point @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+        seen.append(camera(ROLL + roll, PITCH + pitch).project(turned)[0])
+    stated = MountingNoise(*SIGMAS).pixel_covariance(camera(), np.array([pixel], dtype=float))[0]
+    np.testing.assert_allclose(sizes_by_truth(seen, stated), 1.0, atol=0.1)
+
+
+def test_without_mounting_noise_pixels_stay_as_they_are():
+    pixels = np.array([[1.0, 2.0], [3.0, 4.0]])
+    assert not MountingNoise().pixel_covariance(camera(), pixels).any()

@@ -53,6 +53,12 @@ FINDINGS: dict[str, tuple[Callable, Config, str, list[str]]] = {
         ["90 rad"],
     ),
     "no map": (sensors.nothing_to_see, sound(markers=None), "map", ["missing"]),
+    "no calibration": (
+        sensors.nothing_to_see,
+        sound(sensors__film__measures="pixels", sensors__film__z_m=1.0),
+        "sensors.film.intrinsics",
+        ["missing"],
+    ),
     "no sensor": (sensors.nothing_to_see, sound(without="sensors."), "sensors", ["missing"]),
     "mounting": (
         sensors.never_mounted,

@@ -27,6 +27,15 @@ def test_each_section_says_what_is_configured():
     ]
 
 
+def test_a_sensor_of_pixels_is_described_by_its_height_and_noise():
+    film = {"measures": "pixels", "z_m": 1.0, "sigma_pixel": 0.5}
+    summary = summarize(sound(**{f"sensors__film__{key}": value for key, value in film.items()}))
+    assert summary["sensors"][2:] == [
+        "film at x 0 m, y 0 m, z 1 m, yaw 0°, pixels of markers",
+        "  σ of u and v 0.5 px; fusion student_t",
+    ]
+
+
 def test_the_map_is_counted_and_measured():
     assert summarize(sound(), "markers.yaml")["map"] == [
         "3 markers from markers.yaml",

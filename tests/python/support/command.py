@@ -1,4 +1,4 @@
-"""The command `pilotage`, as a user types it."""
+"""The commands `pilotage` and `pilotage-camera`, as a user types them."""
 
 import subprocess
 import sys
@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 PILOTAGE = [sys.executable, "-c", "from pilotage.cli.main import main; main()"]
+
+CAMERA = [sys.executable, "-c", "from pilotage.cli.camera import main; main()"]
 
 
 def pilotage(
@@ -15,8 +17,21 @@ def pilotage(
     within: Sequence[str] = (),
 ) -> "subprocess.CompletedProcess[str]":
     """Run it to its end; `within` is a command that runs commands, such as unshare."""
+    return _run([*within, *PILOTAGE, *map(str, arguments)], cwd, env)
+
+
+def pilotage_camera(
+    *arguments: object, cwd: Path | None = None, env: Mapping[str, str] | None = None
+) -> "subprocess.CompletedProcess[str]":
+    """Run that to its end."""
+    return _run([*CAMERA, *map(str, arguments)], cwd, env)
+
+
+def _run(
+    command: Sequence[str], cwd: Path | None, env: Mapping[str, str] | None
+) -> "subprocess.CompletedProcess[str]":
     return subprocess.run(
-        [*within, *PILOTAGE, *map(str, arguments)],
+        command,
         capture_output=True,
         text=True,
         cwd=cwd,

@@ -18,7 +18,8 @@ namespace pilotage {
 /// R = Ry(pitch) Rx(roll): a positive pitch looks down, a positive roll lowers the right side.
 /// OpenCV's camera frame has x right, y down and z forward in the body.
 ///
-/// The parameters are double, the arithmetic is in the scalar of its arguments.
+/// The parameters are double, the arithmetic is in the scalar of its arguments. What is long is not
+/// inlined, since its code counts for more than the call.
 class CameraModel {
    public:
     CameraModel() = default;
@@ -52,7 +53,8 @@ class CameraModel {
     /// (u, v) [px] of a point [m], with the derivative by the point. Not defined, and NaN, behind
     /// the camera and beyond `widest`.
     template <typename Scalar>
-    [[nodiscard]] Measurement<Scalar, 2, 3> project(const Vector<Scalar, 3>& point) const noexcept {
+    [[nodiscard, gnu::noinline]] Measurement<Scalar, 2, 3> project(
+        const Vector<Scalar, 3>& point) const noexcept {
         const Matrix<Scalar, 3> rotation = rotation_.template cast<Scalar>();
         const Vector<Scalar, 3> at = rotation.transpose() * point;
         const Scalar most = Scalar(widest_) * at[2];
@@ -76,7 +78,8 @@ class CameraModel {
     /// Unit vector towards what is seen at a pixel, with the derivative by the pixel. Not defined,
     /// and NaN, where no point within `widest` is seen.
     template <typename Scalar>
-    [[nodiscard]] Measurement<Scalar, 3, 2> ray(const Vector<Scalar, 2>& pixel) const noexcept {
+    [[nodiscard, gnu::noinline]] Measurement<Scalar, 3, 2> ray(
+        const Vector<Scalar, 2>& pixel) const noexcept {
         const Vector<Scalar, 2> per_focal(1 / Scalar(intrinsics_.fx_px),
                                           1 / Scalar(intrinsics_.fy_px));
         const Vector<Scalar, 2> bent((pixel[0] - Scalar(intrinsics_.cx_px)) * per_focal[0],
