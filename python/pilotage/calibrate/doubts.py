@@ -96,7 +96,7 @@ def _residuals(found: Intrinsics) -> list[Finding]:
             )
         )
     each = np.array([rms(left) for left in found.residuals])
-    for index in np.flatnonzero(each > WORSE * np.median(each)):
+    for index in np.flatnonzero(each > WORSE * np.median(each)).tolist():
         some.append(
             Finding(
                 found.views[index].name,

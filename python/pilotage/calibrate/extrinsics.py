@@ -92,12 +92,11 @@ def calibrate(
     dropped: dict[str, int] = {}
     # Where a pose is known however the latency comes out.
     margin = round(3e6 * (0.05 if free[6] else 0.0))
-    known: NDArray[np.bool_] = np.isfinite(
-        [
-            interpolate(poses, seen.utime - round(1e6 * start[6]) + s)[:, 0]
-            for s in (-margin, margin)
-        ]
-    ).all(axis=0)
+    sides = [
+        interpolate(poses, seen.utime - round(1e6 * start[6]) + aside)[:, 0]
+        for aside in (-margin, margin)
+    ]
+    known = np.isfinite(sides[0]) & np.isfinite(sides[1])
     dropped["no pose at their time"] = int((~known).sum())
     seen = seen.rows(known)
     values, radius = start, radius_px
