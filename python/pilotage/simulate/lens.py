@@ -68,7 +68,8 @@ class Lens:
 
 def turned(rays: NDArray[np.float32], rotation: NDArray[np.float64]) -> NDArray[np.float32]:
     """(rows, columns, 3) rays by a rotation (3, 3)."""
-    return cv2.transform(rays, rotation)  # type: ignore[return-value]
+    result: NDArray[np.float32] = cv2.transform(rays, rotation)
+    return result
 
 
 @cache

@@ -74,7 +74,7 @@ class Surroundings:
         place = np.float32(eye[0]) + way * x, np.float32(eye[1]) + way * y
         shade = np.zeros_like(x)
         for pattern, cell in zip(self._patterns, (self.grain_m, self.mottle_m), strict=True):
-            seen: Image = cv2.remap(  # type: ignore[assignment]
+            seen: Image = cv2.remap(
                 pattern,
                 _on_tile(place[0], cell),
                 _on_tile(place[1], cell),
