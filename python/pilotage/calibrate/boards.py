@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..camera.detection import Array, Image
 from ..camera.dictionaries import dictionary_of
-from ..simulate.fields import within
+from ..fields import within
 
 FEWEST = 6
 """Corners of a view: fewer say too little of where the board is."""

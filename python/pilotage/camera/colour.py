@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from ..simulate.fields import within
+from ..fields import within
 from .detection import Image
 
 

@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 
 from .. import CameraModel
-from ..simulate.fields import within
+from ..fields import within
 from .blobs import Blob, blobs, coverage
 from .colour import COLOURS, Colour, hue_saturation_value
 from .detection import Array, Detection, Image, check_size

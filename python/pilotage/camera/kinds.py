@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from .. import CameraModel
-from ..simulate.fields import call, known_keys, mapping, value_of
+from ..fields import call, known_keys, mapping, value_of
 from .colour import COLOURS, Colour
 from .detection import Detector
 from .discs import DiscDetector

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import CameraModel
-from ..simulate.fields import within
+from ..fields import within
 from .detection import Array, Detection
 
 

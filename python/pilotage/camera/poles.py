@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import CameraModel
-from ..simulate.fields import within
+from ..fields import within
 from .blobs import EDGE_PX, Blob, Coverage, blobs, coverage
 from .colour import Colour, hue_saturation_value
 from .detection import Array, Detection, Image, check_size

@@ -10,12 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import Config
 from ..evaluate import read_trajectory
-from ..evaluate.trajectory import trajectory
 from ..evaluate.truth import MAX_GAP_S
-from ..lcmtypes import pose_t
 from ..logs import mower, read
+from ..logs.poses import recorded_poses
 from .detection import Array
 
 KEPT = 2000
@@ -70,7 +68,7 @@ class Poses:
             return np.array(self._pose[row])
 
 
-def read_poses(path: Path, config: Config) -> tuple[Poses, str]:
+def read_poses(path: Path) -> tuple[Poses, str]:
     """Read a log of poses, and say what was taken.
 
     An LCM log's are those that the node published, else its reference_t; ``.csv`` and ``.tum`` are
@@ -88,14 +86,12 @@ def read_poses(path: Path, config: Config) -> tuple[Poses, str]:
         rows, what = mower.read_poses(path), "rows"
     else:
         log = read(path)
-        channel = config["output.pose"]
-        published = [pose_t.decode(data) for data in log.recording.messages(channel)]
-        if published:
-            poses = np.array([(one.x, one.y, one.heading) for one in published])
-            rows, what = trajectory(np.array([one.utime for one in published]), poses), channel
+        published = recorded_poses(log.recording)
+        if published is not None:
+            rows, what = published, "poses of a node"
         elif log.truth is not None:
             rows, what = log.truth, "true poses"
         else:
-            raise ValueError(f"{path}: holds neither pose_t on {channel} nor reference_t")
+            raise ValueError(f"{path}: holds neither pose_t nor reference_t")
     rows = rows[np.argsort(rows["utime"], kind="stable")]
     return Poses(rows, kept=None), f"{path}: {len(rows)} {what}"

@@ -66,7 +66,7 @@ def look_offline(
             raise ValueError(f"{camera.eye.name}: -o is for recorded images, and not for a device")
     poses = None
     if poses_log is not None:
-        poses, taken = read_poses(poses_log, config)
+        poses, taken = read_poses(poses_log)
         options.say(taken)
     screen = Screen([camera.eye.name for camera in cameras], options.show, options.save_video)
     found: list[Found] = []

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ..simulate.fields import within
+from ..fields import within
 from .detection import Array
 
 

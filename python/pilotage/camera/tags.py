@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 
 from .. import CameraModel
-from ..simulate.fields import within
+from ..fields import within
 from .detection import Array, Detection, Image, check_size
 from .dictionaries import dictionary_of
 from .square import refine

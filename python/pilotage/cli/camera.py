@@ -94,7 +94,7 @@ def camera(
     """
     with needs_opencv(PROGRAM):
         from ..camera.program import Options, look_offline
-    from ..simulate.fields import within
+    from ..fields import within
 
     options = Options(
         config=config,

@@ -135,10 +135,10 @@ def extrinsics(
     from ..calibrate.reprojection import NAMES
     from ..calibrate.weak import weaknesses
     from ..calibrate.words import configuration_lines, left_words, parameter_rows
+    from ..fields import known_keys, within
     from ..logs import read
     from ..plot import style
     from ..plot.calibration import residuals_figure
-    from ..simulate.fields import known_keys, within
     from .console import aligned, make_folder, print_findings
 
     held = {name.strip() for name in hold.split(",") if name.strip()}
@@ -193,12 +193,18 @@ def _seen(log: "Log", config: "Config", sensor: str, folder: Path | None) -> "Si
 
 
 def _poses(log: "Log", file: Path | None) -> "NDArray[Any]":
-    from ..calibrate.poses import recorded_poses
     from ..evaluate.trajectory import read_trajectory
+    from ..logs.poses import recorded_poses
 
     if file is not None:
         return read_trajectory(file)
-    return log.truth if log.truth is not None else recorded_poses(log.recording)
+    poses = log.truth if log.truth is not None else recorded_poses(log.recording)
+    if poses is None:
+        raise ValueError(
+            "the log has neither reference_t nor pose_t: name the robot's poses with --poses, such "
+            "as the pose.csv of pilotage replay -o"
+        )
+    return poses
 
 
 def _print(lines: list[str]) -> None:

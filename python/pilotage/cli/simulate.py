@@ -86,10 +86,10 @@ def simulate(
 
     import numpy as np
 
+    from ..fields import within
     from ..montecarlo import find_scenario, simulate_run
     from ..simulate import Campaign, Measured
     from ..simulate import simulate as simulated
-    from ..simulate.fields import within
     from .console import progress_bar
 
     chosen = find_scenario(scenario)

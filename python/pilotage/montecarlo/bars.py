@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from .. import simulate
+from ..fields import call, known_keys, mapping, read_yaml
 from ..simulate import Scenario, parse_scenario
-from ..simulate.fields import call, known_keys, mapping, read_yaml
 from .measures import MEASURES, Measure
 
 BARS = Path(__file__).with_name("bars.yaml")

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .. import MarkerMap
+from ..fields import ascending, within
 from .drives import Drive
-from .fields import ascending, within
 from .marker_faults import other_ids
 from .sensors import Camera
 from .streams import Stream

@@ -7,7 +7,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from .fields import within
+from ..fields import within
 
 
 class Finds(Protocol):

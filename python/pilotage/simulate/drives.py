@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from .. import ArcUnicycle
 from ..evaluate.trajectory import trajectory
-from .fields import within
+from ..fields import within
 
 STEP_US = 10_000
 """Between motion samples, µs."""

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .fields import within
+from ..fields import within
 
 WHITE = 255.0
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from .. import MarkerMap
-from .fields import within
+from ..fields import within
 from .paints import paint
 
 if TYPE_CHECKING:

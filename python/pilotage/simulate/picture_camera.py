@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import CameraModel
+from ..fields import within
 from ..sensor_keys import in_order
 from .exposure import Exposure
-from .fields import within
 from .sensors import FASTEST_HZ, Camera
 
 FORMATS = ("png", "jpg")

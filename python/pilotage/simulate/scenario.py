@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from .. import Config, MarkerMap
+from ..fields import within
 from . import drives, worlds
 from .chances import Kidnap, Outliers, Start
 from .drives import Drive
-from .fields import within
 from .scene import Scene
 from .sensors import Camera, Encoders, Gyro
 from .tilt import Tilt

@@ -13,10 +13,10 @@ import numpy as np
 import yaml
 
 from .. import Config, MarkerMap
+from ..fields import call, known_keys, mapping, read_yaml, value_of
 from ..sensor_keys import MOUNTING, SIGMAS
 from .chances import Kidnap, Outliers, Start
 from .drives import DRIVES, Drive
-from .fields import call, known_keys, mapping, read_yaml, value_of
 from .measuring import suitable_config
 from .scenario import SCENARIOS, Scenario
 from .scene import Scene

@@ -4,9 +4,9 @@ import inspect
 from collections.abc import Callable
 from typing import Any
 
+from ..fields import call, known_keys, mapping, value_of
 from ..sensor_keys import MOUNTING
 from .exposure import Exposure
-from .fields import call, known_keys, mapping, value_of
 from .looks import KINDS, Looks
 from .picture_camera import PictureCamera
 from .scene import Scene

@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 
 from .. import MarkerMap, MarkerModel
 from ..evaluate import wrap_angle
+from ..fields import within
 from ..sensor_keys import COMPONENTS, SIGMAS, in_order
 from .drives import Drive
-from .fields import within
 from .tilt import tilted
 from .wander import gauss_markov
 

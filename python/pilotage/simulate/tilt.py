@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..evaluate import wrap_angle
+from ..fields import within
 from .drives import Drive
-from .fields import within
 from .wander import gauss_markov
 
 

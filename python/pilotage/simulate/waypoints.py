@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..evaluate import wrap_angle
+from ..fields import within
 from .drives import STEP_US, Drive, drive
-from .fields import within
 
 TURN_RAD_S = 0.8
 """On the spot, at every point where the way bends."""

@@ -48,11 +48,10 @@ def test_only_the_newest_are_kept():
 
 
 def test_a_log_of_the_node_gives_its_poses_and_another_the_truth(tmp_path: Path):
-    config = pilotage.Config()
     recording = pilotage.Recording()
     recording.add_reference("REFERENCE", [1, 2], [5.0, 6.0], [0.0, 0.0], [0.1, 0.2])
     recording.save(str(tmp_path / "truth.lcmlog"))
-    poses, words = read_poses(tmp_path / "truth.lcmlog", config)
+    poses, words = read_poses(tmp_path / "truth.lcmlog")
     assert poses.at(2).tolist() == [6, 0, 0.2]
     assert words.endswith("2 true poses")
     for utime, x in ((30, 3.0), (20, 2.0)):
@@ -60,18 +59,18 @@ def test_a_log_of_the_node_gives_its_poses_and_another_the_truth(tmp_path: Path)
         message.utime, message.x = utime, x
         recording.add(utime, "POSE", message.encode())
     recording.save(str(tmp_path / "node.lcmlog"))
-    poses, words = read_poses(tmp_path / "node.lcmlog", config)
+    poses, words = read_poses(tmp_path / "node.lcmlog")
     assert poses.at(20).tolist() == [2, 0, 0]
     assert poses.at(21).tolist() == [3, 0, 0]
-    assert words.endswith("2 POSE")
+    assert words.endswith("2 poses of a node")
 
 
 def test_a_log_without_poses_is_refused(tmp_path: Path):
     recording = pilotage.Recording()
     recording.add_gyro("GYRO", [1], [0.0])
     recording.save(str(tmp_path / "gyro.lcmlog"))
-    with pytest.raises(ValueError, match="holds neither pose_t on POSE nor reference_t"):
-        read_poses(tmp_path / "gyro.lcmlog", pilotage.Config())
+    with pytest.raises(ValueError, match="holds neither pose_t nor reference_t"):
+        read_poses(tmp_path / "gyro.lcmlog")
 
 
 def test_the_papers_pose_log_and_a_trajectory_are_read(tmp_path: Path):
@@ -79,9 +78,9 @@ def test_the_papers_pose_log_and_a_trajectory_are_read(tmp_path: Path):
     rows[:, 2] = 10 + 0.1 * np.arange(3)
     rows[:, 18:] = [[1, 2, 0.3], [4, 5, 0.6], [7, 8, 7.0]]
     np.savetxt(tmp_path / "poselog.txt", rows)
-    poses, _ = read_poses(tmp_path / "poselog.txt", pilotage.Config())
+    poses, _ = read_poses(tmp_path / "poselog.txt")
     assert poses.at(10_050_000).tolist() == [4, 5, 0.6]
     assert poses.at(10_150_000)[2] == pytest.approx(7.0 - 2 * np.pi)
     (tmp_path / "pose.csv").write_text("utime,x,y,heading,v\n5,1,2,3,0\n")
-    poses, _ = read_poses(tmp_path / "pose.csv", pilotage.Config())
+    poses, _ = read_poses(tmp_path / "pose.csv")
     assert poses.at(5).tolist() == [1, 2, 3]
