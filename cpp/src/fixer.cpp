@@ -94,15 +94,16 @@ SightingReport Fixer<Scalar, N>::sight(Track& track, const Sample& sample,
     known.payload.sighting.id = of.id;
     const Pose<double> odometry = track.odometry();
     const SightingReport report = fuse(track, known);
-    follow(track, odometry, report);
+    follow(track, odometry, report, sample.payload.sighting.id);
     return report;
 }
 
 /// What a measurement that met the estimate tells of it.
 /// \param odometry as it was before
+/// \param told of which marker it says to be
 template <typename Scalar, int N>
 void Fixer<Scalar, N>::follow(Track& track, const Pose<double>& odometry,
-                              const SightingReport& report) const noexcept {
+                              const SightingReport& report, std::int32_t told) const noexcept {
     if (report.verdict == Verdict::out_of_view)
         track.agreement.add(kNowhere, report.dof,
                             policies_[report.sensor].gate_nis[report.dof - 1]);
@@ -110,17 +111,18 @@ void Fixer<Scalar, N>::follow(Track& track, const Pose<double>& odometry,
     track.keep_odometry(odometry);
     track.agreement.add(report.nis, report.dof, policies_[report.sensor].gate_nis[report.dof - 1]);
     if (track.agreement.last_agreed()) track.agreed_utime = report.utime;
-    if (!track.confirmed) agree(track, report);
+    if (!track.confirmed) agree(track, told);
 }
 
-/// Counts the markers that agree with an estimate that has to prove itself.
+/// Counts the markers that agree with an estimate that has to prove itself. Where it is not told
+/// which marker it is, a search has poses for all of them, and any of them may be a rival.
 template <typename Scalar, int N>
-void Fixer<Scalar, N>::agree(Track& track, const SightingReport& report) const noexcept {
+void Fixer<Scalar, N>::agree(Track& track, std::int32_t told) const noexcept {
     const int row = track.agreement.in_a_row();
     if (row == 0) return;
     if (row == 1) track.agreeing = {};
     const int before = track.agreeing.count();
-    const Marker* marker = map_.find(report.id);
+    const Marker* marker = map_.find(told);
     track.agreeing.add(marker == nullptr ? MarkerSet::all()
                                          : MarkerSet::of(marker - map_.markers().data()));
     const bool one_more = row == Agreement::kConfirming || track.agreeing.count() > before;
@@ -159,7 +161,7 @@ SightingReport Fixer<Scalar, N>::fix(Track& track, const Sample& sample) const n
             const double of_sensor = scale * scale * variance_of(sample, sensor, c);
             return Variances{of_sensor, report.sigma[c] * report.sigma[c] - of_sensor};
         });
-    follow(track, odometry, report);
+    follow(track, odometry, report, kUnknownId);
     return report;
 }
 

@@ -49,9 +49,9 @@ class Fixer {
 
    private:
     [[nodiscard]] SightingReport fuse(Track& track, const Sample& sample) const noexcept;
-    void follow(Track& track, const Pose<double>& odometry,
-                const SightingReport& report) const noexcept;
-    void agree(Track& track, const SightingReport& report) const noexcept;
+    void follow(Track& track, const Pose<double>& odometry, const SightingReport& report,
+                std::int32_t told) const noexcept;
+    void agree(Track& track, std::int32_t told) const noexcept;
     [[nodiscard]] bool confirms(const Track& track) const noexcept;
     template <typename Variance>
     void learn(Track& track, const SightingReport& report,
