@@ -39,9 +39,10 @@ Sample seen(std::int64_t utime, int seq) {
         Sighting{{left ? 0.32 : -0.32, 0.06, nan}, {nan, nan, nan}, left ? 1 : 2, -1});
 }
 
-/// Microseconds to take the late sighting.
+/// Microseconds to take the late sighting, with so many marker frames in the second after it. The
+/// robot is confirmed by as many before it, or searches for other poses in that second.
 template <int N>
-double late(int frames, int sightings_a_frame) {
+double late(int frames, int sightings_a_frame, bool confirmed) {
     std::vector<double> us;
     for (int round = 0; round < 201; ++round) {
         Nobody nobody;
@@ -50,7 +51,8 @@ double late(int frames, int sightings_a_frame) {
         int seq = 0;
         for (std::int64_t t = 0; t <= 2 * kSecond; t += kPeriod) {
             localizer.add(Sample::make(t, seq, Stream::gyro, GyroRate{0.0}));
-            if (frames > 0 && t > kSecond && t % (kSecond / frames) == 0)
+            const bool sees = t > kSecond || (confirmed && t > 0 && t < kSecond / 2);
+            if (frames > 0 && sees && t % (kSecond / frames) == 0)
                 for (int i = 0; i < sightings_a_frame; ++i)
                     localizer.add(seen(t - 1, seq * 10 + i));
             localizer.add(Sample::make(t, seq, Stream::motion, EncoderTicks{seq, seq}));
@@ -91,8 +93,10 @@ double step(bool sees) {
 template <int N>
 void print() {
     constexpr int frames = 20;
-    const double alone = late<N>(0, 0), among = late<N>(frames, 2);
+    const double alone = late<N>(0, 0, true), among = late<N>(frames, 2, true),
+                 unconfirmed = late<N>(frames, 2, false);
     std::printf("late%d_us %.2f\nlate%d_frame_us %.3f\n", N, alone, N, (among - alone) / frames);
+    std::printf("late%d_unconfirmed_frame_us %.3f\n", N, (unconfirmed - alone) / frames);
     std::printf("in_order%d_us %.3f\n", N, step<N>(true) - step<N>(false));
 }
 

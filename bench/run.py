@@ -164,6 +164,8 @@ def rows(build: Path) -> Iterator[Row]:
     for states in (3, 6):
         yield Row(f"a sighting 1 s late, Ekf<{states}>", late[f"late{states}_us"], "µs", "≤ 15")
         yield Row("  each frame fused again", late[f"late{states}_frame_us"], "µs", "≤ 1.5")
+        unconfirmed = late[f"late{states}_unconfirmed_frame_us"]
+        yield Row("  of a robot not confirmed before", unconfirmed, "µs")
         yield Row("  a sighting in order", late[f"in_order{states}_us"], "µs")
     million = 1e6
     association = numbers(output_of(build / "bench/bench_association"))
