@@ -177,11 +177,12 @@ def rows(build: Path) -> Iterator[Row]:
     if batch := script("batch.py"):
         rate = batch["samples_per_s"] / million
         yield Row("Localizer.run from Python, three states", rate, "million samples/s", "≥ 10")
-    yield Row("Monte Carlo, 1,000 runs of 60 s, two processes", montecarlo_s(), "s", "≤ 15")
     if latency := script("latency.py", build):
         yield Row("encoder in, pose out over LCM", latency["node_us"], "µs")
         yield Row("  a bare echo", latency["echo_us"], "µs")
         yield Row("  node over echo", latency["node_us"] / latency["echo_us"], "", "≤ 1.15")
+    # The last: its processes stay for a while, and race the node for the cores.
+    yield Row("Monte Carlo, 1,000 runs of 60 s, two processes", montecarlo_s(), "s", "≤ 15")
 
 
 def machine(build: Path) -> str:
