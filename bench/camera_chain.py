@@ -89,7 +89,8 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         take_pictures(scenario, np.random.default_rng(arguments.seed), Path(folder), jobs=-1)
         figures = chain(Path(folder))
-    print(json.dumps({**figures, "bar_ms": BAR_MS, "seed": arguments.seed}))
+    rounded = {name: round(value, 2) for name, value in figures.items()}
+    print(json.dumps({**rounded, "bar_ms": BAR_MS, "seed": arguments.seed}))
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from ..camera.dictionaries import dictionary_of
 from .lens import turned
 from .paints import PAINTS, Colour
 
@@ -149,12 +150,7 @@ class Tag:
     @cached_property
     def cells(self) -> Rays:
         """(m, m) brightness of its cells with one white one around, top left first."""
-        known = {name.lower(): getattr(cv2.aruco, name) for name in dir(cv2.aruco)}
-        number = known.get(f"dict_{self.dictionary.lower()}")
-        if number is None:
-            names = sorted(name[5:] for name in known if name.startswith("dict_"))
-            raise ValueError(f"dictionary is {self.dictionary}, expected one of {', '.join(names)}")
-        dictionary = cv2.aruco.getPredefinedDictionary(number)
+        dictionary = dictionary_of(self.dictionary)
         count = len(dictionary.bytesList)
         if not 0 <= self.id < count:
             raise ValueError(f"id is {self.id}, expected 0 to {count - 1} in {self.dictionary}")

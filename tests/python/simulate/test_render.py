@@ -141,7 +141,7 @@ def test_the_back_of_a_tag_is_blank():
 
 
 def test_an_unknown_dictionary_is_named_with_those_there_are():
-    with pytest.raises(ValueError, match=r"dictionary is 4x4_51, expected one of .*4x4_50"):
+    with pytest.raises(ValueError, match=r"dictionary is 4x4_51; the nearest .*4x4_50"):
         _ = facing(dictionary="4x4_51").cells
     with pytest.raises(ValueError, match="id is 90, expected 0 to 49 in 4x4_50"):
         _ = Tag((0.0, 0.0, 0.0), 0.0, 90).cells
