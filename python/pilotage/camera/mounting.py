@@ -25,22 +25,6 @@ class MountingNoise:
         for name, sigma in vars(self).items():
             within(name, sigma, 0.0, 1.0)
 
-    def covariance(self, camera: CameraModel, pixels: Array) -> Array:
-        """Return what it adds to the covariance (n, 2, 2) rad^2 of azimuth and elevation."""
-        rays = camera.rays(pixels)
-        x, y, z = rays.T
-        flat2 = x**2 + y**2
-        flat = np.sqrt(flat2)
-        none = np.zeros_like(x)
-        by_ray = np.stack(
-            [
-                np.column_stack([-y / flat2, x / flat2, none]),
-                np.column_stack([-x * z / flat, -y * z / flat, flat]),
-            ],
-            axis=1,
-        )
-        return self._spread(by_ray @ _swing(camera, rays).transpose(1, 2, 0))
-
     def pixel_covariance(self, camera: CameraModel, pixels: Array) -> Array:
         """Return what it adds to the covariance (n, 2, 2) px^2 of where markers show."""
         if not any(vars(self).values()):
@@ -86,7 +70,8 @@ def angles(
     """
     pixels = np.array([one.pixel for one in detections]).reshape(-1, 2)
     noise = np.array([one.covariance for one in detections]).reshape(-1, 2, 2)
-    covariance = camera.angle_covariance(pixels, noise) + mounting.covariance(camera, pixels)
+    noise = noise + mounting.pixel_covariance(camera, pixels)
+    covariance = camera.angle_covariance(pixels, noise)
     value = camera.angles(pixels)
     level = np.array([not one.has_elevation for one in detections], dtype=bool)
     value[level, 1] = np.nan

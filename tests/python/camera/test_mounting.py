@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -26,7 +28,8 @@ def test_mounting_noise_against_cameras_mounted_a_little_otherwise(pixel, only):
     values = []
     for roll, pitch, yaw in sigma * rng.standard_normal((4000, 3)):
         values.append(camera(ROLL + roll, PITCH + pitch).angles(pixels)[0] + [yaw, 0])
-    stated = MountingNoise(*sigma).covariance(camera(), pixels)[0]
+    noise = MountingNoise(*sigma).pixel_covariance(camera(), pixels)
+    stated = camera().angle_covariance(pixels, noise)[0]
     true = np.cov(np.transpose(values))
     np.testing.assert_allclose(stated, true, atol=0.08 * np.trace(true))
     if all(only):
@@ -38,7 +41,10 @@ def test_pixel_noise_and_mounting_noise_add_up():
     seen = [Detection(np.array([100.0, 300.0]), np.array([[0.04, 0.01], [0.01, 0.02]]))]
     _, alone = angles(optics, seen, MountingNoise())
     _, both = angles(optics, seen, MountingNoise(*SIGMAS))
-    mounting = MountingNoise(*SIGMAS).covariance(optics, seen[0].pixel[None])
+    _, mounting = angles(
+        optics, [replace(seen[0], covariance=np.zeros((2, 2)))], MountingNoise(*SIGMAS)
+    )
+    assert mounting.max() > 0
     np.testing.assert_allclose(both, alone + mounting)
     np.testing.assert_allclose(
         alone, optics.angle_covariance(seen[0].pixel[None], seen[0].covariance[None])
