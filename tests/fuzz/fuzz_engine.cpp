@@ -99,7 +99,7 @@ class Witness final : private EngineOutput {
             return 1;
         for (const Input& input : engine_.inputs())
             if (input.channel() == action.channel && input.kind() == codec->kind &&
-                (codec->kind != Kind::frame || input.name() == decoded.sensor))
+                (!names_sensor(codec->kind) || input.name() == decoded.sensor))
                 return static_cast<std::int64_t>(decoded.samples.size());
         return 1;
     }
