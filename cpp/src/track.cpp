@@ -228,6 +228,8 @@ Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
             break;
         }
         case MotionState::driving:
+            // Wheels or gyro may be off by less than a window shows; over many, the sightings do.
+            if (contradicted) doubt = variances(0, window.difference_rad);
             break;
     }
     return doubt;

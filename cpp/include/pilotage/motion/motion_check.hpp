@@ -41,7 +41,8 @@ class MotionCheck {
     struct Window {
         double duration_s = 0, distance_m = 0;
         double gyro_turn_rad = 0;     ///< less the bias
-        double disagreement_rad = 0;  ///< wheels less gyro, 0 where they agree
+        double difference_rad = 0;    ///< wheels less gyro
+        double disagreement_rad = 0;  ///< the same, 0 where noise explains it
         bool by_gyro = true;          ///< the gyro was trusted in it
         int in_a_row = 0;             ///< windows with the same verdict
     };
@@ -130,6 +131,7 @@ class MotionCheck {
         window_.duration_s = time_s;
         window_.distance_m = open_.distance_m;
         window_.gyro_turn_rad = open_.heard ? open_.gyro_turn_rad : 0;
+        window_.difference_rad = open_.heard ? difference : 0;
         window_.disagreement_rad = agree ? 0 : difference;
         ++window_.in_a_row;
     }
