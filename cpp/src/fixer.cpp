@@ -148,6 +148,8 @@ SightingReport Fixer<Scalar, N>::fix(Track& track, const Sample& sample) const n
         report.verdict = Verdict::fused;
         report.weight = 1;
         report.agrees = true;
+        report.dof = 0;  // there was no pose to hold it against
+        report.nis = 0;
         return report;
     }
     const Pose<double> odometry = track.odometry();

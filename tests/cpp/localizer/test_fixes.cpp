@@ -144,6 +144,10 @@ TEST_P(FixTest, AWholePoseIsAStart) {
     robot.add(fix_at(kPeriod + 1, sensor));
     robot.add(encoders_at(2 * kPeriod, 0, 0));
     EXPECT_TRUE(same_pose(robot.pose(), true_pose, 1e-5));
+    const SightingReport& report = robot.tally.reports.back();
+    EXPECT_EQ(report.verdict, Verdict::fused);
+    EXPECT_EQ(report.dof, 0) << "there was nothing to hold it against";
+    EXPECT_EQ(report.nis, 0) << "means over reports stay numbers";
     const double lever_m = std::hypot(0.4, 0.2);
     EXPECT_NEAR(robot.covariance().topLeftCorner(2, 2).trace(),
                 2 * 0.02 * 0.02 + lever_m * lever_m * 0.01 * 0.01, 1e-6)
