@@ -228,8 +228,8 @@ Pose<double> Tracker<Scalar, N>::judged_window(Track& track) const noexcept {
             break;
         }
         case MotionState::driving:
-            // Wheels or gyro may be off by less than a window shows; over many, the sightings do.
-            if (contradicted) doubt = variances(0, window.difference_rad);
+            // Wheels or gyro are off by less than one window shows, and the sightings tell as well.
+            if (contradicted) doubt = variances(0, window.lasting_rad);
             break;
     }
     return doubt;

@@ -41,8 +41,8 @@ class MotionCheck {
     struct Window {
         double duration_s = 0, distance_m = 0;
         double gyro_turn_rad = 0;     ///< less the bias
-        double difference_rad = 0;    ///< wheels less gyro
-        double disagreement_rad = 0;  ///< the same, 0 where noise explains it
+        double disagreement_rad = 0;  ///< wheels less gyro, 0 where they agree
+        double lasting_rad = 0;       ///< its mean of late, 0 where noise explains that
         bool by_gyro = true;          ///< the gyro was trusted in it
         int in_a_row = 0;             ///< windows with the same verdict
     };
@@ -102,6 +102,27 @@ class MotionCheck {
         bool ticked = false, heard = true, frozen = false;
     };
 
+    /// What wheels less gyro come to over some eight windows: a gyro that is off by less than one
+    /// window's noise shows in many.
+    class Trend {
+       public:
+        void add(double difference_rad, double variance, double slack_rad) noexcept {
+            sum_ = kKept * sum_ + difference_rad;
+            variance_ = kKept * kKept * variance_ + variance;
+            slack_ = kKept * slack_ + slack_rad;
+        }
+
+        /// A window's share of it; 0 where noise explains it.
+        [[nodiscard]] double mean() const noexcept {
+            return std::abs(sum_) > kSigmas * std::sqrt(variance_) + slack_ ? (1 - kKept) * sum_
+                                                                            : 0;
+        }
+
+       private:
+        static constexpr double kKept = 0.875;
+        double sum_ = 0, variance_ = 0, slack_ = 0;
+    };
+
     /// \param last_turn_rad by the gyro in the window's last step, which is believed if the robot
     /// turns out not to stand
     void judge(const RotationTolerance& t, double last_turn_rad) noexcept {
@@ -131,8 +152,9 @@ class MotionCheck {
         window_.duration_s = time_s;
         window_.distance_m = open_.distance_m;
         window_.gyro_turn_rad = open_.heard ? open_.gyro_turn_rad : 0;
-        window_.difference_rad = open_.heard ? difference : 0;
         window_.disagreement_rad = agree ? 0 : difference;
+        if (open_.ticked && open_.heard) trend_.add(difference, variance, slack);
+        window_.lasting_rad = open_.ticked ? trend_.mean() : 0;
         ++window_.in_a_row;
     }
 
@@ -145,6 +167,7 @@ class MotionCheck {
     bool gyro_suspect_ = false;
     double released_rad_ = 0, disbelieved_rad_ = 0;
     Sums open_;
+    Trend trend_;
     Window window_;
 };
 
