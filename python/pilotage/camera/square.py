@@ -1,10 +1,10 @@
 """The corners of a dark square on a light margin, to hundredths of a pixel."""
 
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .blobs import ROUNDING
 from .detection import Array, Image
@@ -16,10 +16,18 @@ END_PX = 3.0
 """So much of a side is left out at its ends, where the next one shows as well."""
 REACH_PX = (2, 4)
 """A side is looked at from so far inside to so far outside, by what its border allows."""
+CLEAR_PX = 1.5
+"""Nearer than this to the border's end, what is beyond shows through the blur."""
+NARROWEST_PX = 2.75
+"""A border that is still one."""
+BLUR_PX = 0.7
+"""Standard deviation of what lens and pixel make of an edge."""
 FEWEST = 6
 """Places along a side."""
-PASSES = 2
-"""The second one looks where the sides are, not where they were believed to be."""
+PASSES = 3
+"""Each looks where the last one found the sides: an edge half out of reach is not seen whole."""
+FITTED = 2.7
+"""Of the samples' freedom what a line takes: two, and more as neighbours share pixels."""
 SAMPLING_PX = 0.01
 """What a pixel's finite size leaves of error in a corner, measured on renders without noise."""
 
@@ -74,9 +82,10 @@ def _sides(
     outward = np.column_stack([along[:, 1], -along[:, 0]]) / length[:, None]
     opposite = np.roll(corners, -2, axis=0), np.roll(corners, -3, axis=0)
     depth = min(float(((corners - far) * outward).sum(axis=1).min()) for far in opposite)
-    reach = min(int(depth / modules - 0.75), REACH_PX[1])
+    border = depth / modules
+    reach = int(np.clip(border - CLEAR_PX, *REACH_PX))
     count = int(length.min() - 2 * END_PX) + 1
-    if reach < REACH_PX[0] or count < FEWEST:
+    if border < NARROWEST_PX or count < FEWEST:
         return None
     end = (END_PX / length)[:, None]
     s = end + (1 - 2 * end) * np.linspace(0, 1, count)
@@ -85,7 +94,7 @@ def _sides(
     patch = _patch(grey, place[:, 1:-1, None] + steps[:, None] * normals[:, 1:-1, None])
     if patch is None:
         return None
-    light, nearest, by_pixels = patch
+    light, noise, by_pixels = patch
     rims = slice(0, reach - 1), slice(reach + 2, None)
     dark, bright = (light[..., rim].mean(axis=(1, 2)) for rim in rims)
     contrast = bright - dark
@@ -102,11 +111,13 @@ def _sides(
     for rim in rims:
         pull[..., rim] += common / light[0, :, rim].size
     weights = by_pixels(pull / contrast[:, None, None, None])
-    level = np.concatenate([nearest[..., rim] for rim in rims], axis=2)
+    level, kept = (np.concatenate([a[..., rim] for rim in rims], axis=2) for a in (light, noise))
     uneven = level - design @ (fit @ level)
-    freedom = 4 * level.shape[2] * (count - 2)
-    variance = (uneven**2).sum() / freedom + ROUNDING
-    return normals[:, [0, -1]], offsets, variance * weights @ weights.T
+    variance = (uneven**2).sum() / kept.sum() / (1 - FITTED / count) + ROUNDING
+    # Half of the modules beyond the border are bright, and each side has others.
+    through = math.erfc((border - reach) / (math.sqrt(2) * BLUR_PX)) / 4
+    beyond = through**2 * np.kron(np.eye(4), np.ones((2, 2)))
+    return normals[:, [0, -1]], offsets, variance * weights @ weights.T + beyond
 
 
 def _lines(camera: "CameraModel", corners: Array, s: Array) -> tuple[Array, Array]:
@@ -121,14 +132,12 @@ def _lines(camera: "CameraModel", corners: Array, s: Array) -> tuple[Array, Arra
     return place, normals / np.linalg.norm(normals, axis=-1, keepdims=True)
 
 
-def _patch(
-    grey: Image, points: Array
-) -> tuple[Array, NDArray[np.uint8], Callable[[Array], Array]] | None:
+def _patch(grey: Image, points: Array) -> tuple[Array, Array, Callable[[Array], Array]] | None:
     """Sample an image between its pixels, None where that would be outside of it.
 
     Returns
     -------
-    light (4, n, m) at points (4, n, m, 2) px, that of the nearest pixels (4, n, m), and what turns
+    light (4, n, m) at points (4, n, m, 2) px, of a pixel's variance what it has, and what turns
     weights (4, 2, n, m) of the samples into weights (8, p) of the pixels that they are made of
     """
     low, high = points.min(axis=(0, 1, 2)), points.max(axis=(0, 1, 2))
@@ -143,7 +152,6 @@ def _patch(
     index = np.stack([corner, corner + 1, corner + width, corner + width + 1])
     weight = np.stack([(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v])
     four = patch.ravel()[index]
-    nearest = np.take_along_axis(four, weight.argmax(axis=0)[None], axis=0)[0]
 
     def by_pixels(pull: Array) -> Array:
         rows = [
@@ -155,4 +163,4 @@ def _patch(
         ]
         return np.stack(rows)
 
-    return (four * weight).sum(axis=0), nearest, by_pixels
+    return (four * weight).sum(axis=0), (weight**2).sum(axis=0), by_pixels
