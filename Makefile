@@ -58,7 +58,7 @@ test-cpp: $(VENV)/.made
 	$(IN_VENV) ctest --preset $(PRESET) -j $(JOBS)
 
 test-python: $(VENV)/.tools
-	$(IN_VENV) python -m pytest $(PYTEST)
+	$(IN_VENV) python -m pytest -n $(JOBS) --dist worksteal $(PYTEST)
 
 lint: $(VENV)/.tools
 	$(IN_VENV) ruff check

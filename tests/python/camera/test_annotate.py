@@ -87,7 +87,7 @@ def test_what_is_outside_or_nowhere_is_no_error():
 def test_words_stand_at_the_lower_border():
     picture = annotate(GREY, [], {}, words="front 3 found")
     assert (picture[:210] == GREY[:210]).all()
-    assert (picture[215:] == 255).any()
+    assert (picture[215:] > 200).any()
 
 
 @pytest.mark.parametrize("heading", [0.0, 2.0])
