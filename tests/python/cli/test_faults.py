@@ -17,6 +17,7 @@ def test_a_campaign_leaves_a_table_a_file_and_a_page(tmp_path: Path):
     assert len(content["cells"]) == content["runs"] == 50
     assert content["crashes"] == content["not_finite"] == 0
     assert content["silent_failures"] == sum(cell["silent"] for cell in content["cells"])
+    assert [cell["cell"] for cell in content["cells"] if cell["missed"]] == []
     assert content["no_fault"]["ok"] > 0.99
     assert {ladder["cell"] for ladder in content["smallest"]} >= {"markers moved"}
     assert content["policies"].keys() == {"receive", "mapped"}
