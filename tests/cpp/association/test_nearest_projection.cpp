@@ -1,6 +1,7 @@
 #include "pilotage/association/nearest_projection.hpp"
 
 #include "pilotage/association.hpp"
+#include "support/frames.hpp"
 #include "support/images.hpp"
 #include "support/scalars.hpp"
 
@@ -26,22 +27,20 @@ Sighting near_marker(int id, double du, double dv, int label = -1, double headin
 }
 
 template <typename Scalar>
-std::vector<int> ids_of(const std::vector<Sighting>& frame) {
+Ids ids_of(const std::vector<Sighting>& frame) {
     Associator<Scalar> associator;
     associator.begin_frame();
     for (const Sighting& sighting : frame) associator.add(sighting);
     const SensorParams sensor = paper_sensor();
     associator.resolve(Pose<Scalar>::Zero(), Matrix<Scalar, 3>::Identity() * Scalar(1e-6), kMap,
                        sensor, Policy::make(Fusion::student_t, 0.001, 4));
-    std::vector<int> ids;
+    Ids ids;
     for (std::size_t i = 0; i < frame.size(); ++i) {
         ids.push_back(associator[i].id);
         EXPECT_EQ(associator[i].verdict == Verdict::no_match, ids.back() == kUnknownId);
     }
     return ids;
 }
-
-using Ids = std::vector<int>;
 
 TYPED_TEST(NearestProjectionTest, APixelIsOfTheMarkerProjectedNearest) {
     EXPECT_EQ(ids_of<TypeParam>({near_marker(3, 40, -45), near_marker(1, -8, 9)}), (Ids{3, 1}));

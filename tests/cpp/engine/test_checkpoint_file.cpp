@@ -170,8 +170,7 @@ TEST(CheckpointFileTest, WhatCannotBeWrittenLeavesTheOldOneAndSaysWhy) {
 TEST(CheckpointFileTest, AnEngineBeginsWhereAnotherEnded) {
     const std::string robot = std::string(kPlainRobot);
     Bench before("", robot);
-    const MarkerMap map({{1, 6, 2, 0.4, 0}, {2, 4, -4, 0, 0}});
-    Journey journey(map);
+    Journey journey(kPlainMap);
     before.run(journey.go(12, 0.1, 0.2));
     ASSERT_EQ(before.poses.back().status, status_t::OK);
     ASSERT_GE(before.checkpoints.size(), 2U) << "one every 5 s";

@@ -6,12 +6,10 @@
 namespace pilotage::test {
 namespace {
 
-const MarkerMap kMap({{1, 6, 2, 0.4, 0}, {2, 4, -4, 0, 0}});
-
 /// An engine whose status is OK, or never got there.
 struct Robot {
     Bench bench;
-    Journey journey{kMap};
+    Journey journey{kPlainMap};
 
     Robot(const std::string& accept, bool ok) : bench("pose_reset: {accept: " + accept + "}\n") {
         journey.camera = ok;

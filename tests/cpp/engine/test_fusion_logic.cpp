@@ -9,8 +9,6 @@ namespace {
 
 constexpr double kOff_s = 11;
 
-const MarkerMap kMap = markers_around_origin();
-
 std::string robot(const std::string& heading = "gyro", const std::string& source = "encoders",
                   const std::string& camera = "{}") {
     return "motion: {heading: " + heading + ", source: " + source + R"(}
@@ -26,7 +24,7 @@ map:
 
 /// A robot in the circle that it drives, and its engine.
 struct Trial {
-    Journey journey{kMap};
+    Journey journey{kAroundOrigin};
     Bench bench;
 
     explicit Trial(const std::string& config = robot()) : bench("", config) {}

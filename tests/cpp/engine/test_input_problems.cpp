@@ -6,10 +6,10 @@
 
 #include <cmath>
 
+#include "support/units.hpp"
+
 namespace pilotage::test {
 namespace {
-
-constexpr std::int64_t kSecond = 1'000'000;
 
 /// An input with its sender: fifty messages a second, a review every second.
 struct Sender {

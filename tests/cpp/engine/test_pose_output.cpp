@@ -10,19 +10,6 @@
 namespace pilotage::test {
 namespace {
 
-const MarkerMap kMap = markers_around_origin();
-
-/// No camera, so that only what a test does moves the pose.
-constexpr const char* kMapLines = R"(
-motion: {heading: gyro}
-initial: {x_m: 0, y_m: 0, heading_rad: 0}
-sensors: {camera: {}}
-map:
-- {id: 1, x: 6, y: 2, z: 0.4}
-- {id: 2, x: -3, y: 5, z: 0.3}
-- {id: 3, x: 4, y: -4, z: 0.2}
-)";
-
 Pose<double> pose_of(const odometry_t& o) {
     return {o.x, o.y, o.heading};
 }
@@ -39,8 +26,8 @@ void expect_smooth(const Bench& bench, double tolerance = 1e-9) {
 }
 
 TEST(PoseOutputTest, OdometryIsTheArcThatWasDriven) {
-    Bench bench("", kMapLines);
-    Journey journey(kMap);
+    Bench bench("", kGyroRobot);
+    Journey journey(kAroundOrigin);
     bench.run(journey.go(3, 0.5, 0.3));
     bench.run(journey.go(3, -0.2, -0.8));
     bench.run(journey.go(2));
@@ -53,8 +40,8 @@ TEST(PoseOutputTest, OdometryIsTheArcThatWasDriven) {
 }
 
 TEST(PoseOutputTest, NeitherCorrectionsNorResetsNorLateSamplesMoveTheOdometry) {
-    Bench bench("", kMapLines);
-    Journey journey(kMap);
+    Bench bench("", kGyroRobot);
+    Journey journey(kAroundOrigin);
     bench.run(journey.go(5, 0.4, 0.2));
     std::vector<Sample> samples = journey.go(3, 0.4, 0.2);
     // Sightings come 0.7 s late, each tenth gyro sample 0.1 s.
@@ -87,8 +74,8 @@ TEST(PoseOutputTest, NeitherCorrectionsNorResetsNorLateSamplesMoveTheOdometry) {
 }
 
 TEST(PoseOutputTest, ACounterResetIsNoMotion) {
-    Bench bench("", kMapLines);
-    Journey journey(kMap);
+    Bench bench("", kGyroRobot);
+    Journey journey(kAroundOrigin);
     journey.camera = false;
     bench.run(journey.go(30, 0.9, 0));
     journey.reset_ticks();

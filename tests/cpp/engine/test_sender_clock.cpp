@@ -7,16 +7,19 @@
 #include <cmath>
 #include <limits>
 
+#include "support/units.hpp"
+
 namespace pilotage::test {
 namespace {
 
 using Stamp = SenderClock::Stamp;
 
-constexpr std::int64_t kSecond = 1'000'000, kPeriod = 20'000;
 constexpr std::int64_t kOff = 1'234'567'890;  // of the sender's clock behind ours
 
 /// A sender of 50 messages a second.
 struct Sender {
+    static constexpr std::int64_t kPeriod = 20'000;
+
     SenderClock clock;
     std::int64_t now = 10 * kSecond, delay = 1000, off = kOff;
     std::int32_t seq = 0;
@@ -159,7 +162,7 @@ TEST(SenderClockTest, AStandingStampIsMeasured) {
     EXPECT_EQ(sender.clock.still_us(), 0);
     const std::int64_t stuck = sender.stamp();
     for (int i = 0; i < 100; ++i) (void)sender.send(stuck);
-    EXPECT_NEAR(static_cast<double>(sender.clock.still_us()), 2e6, 2.0 * kPeriod);
+    EXPECT_NEAR(static_cast<double>(sender.clock.still_us()), 2e6, 2.0 * Sender::kPeriod);
     EXPECT_EQ(sender.clock.repeated(), 99);
     EXPECT_EQ(sender.clock.steps(), 0);
     (void)sender.send();

@@ -1,19 +1,15 @@
 // An update is a transaction: what cannot be fused is refused with its reason, and nothing changes.
 
-#include <limits>
-
 #include "support/filters.hpp"
 #include "support/linear_measurement.hpp"
 #include "support/matchers.hpp"
+#include "support/samples.hpp"
 #include "support/scalars.hpp"
 
 namespace pilotage::test {
 namespace {
 
 PILOTAGE_SUITE(EkfRefusalTest);
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
 
 template <typename Model, typename Filter, typename Scalar, int M>
 void expect_refused(UpdateFault reason, const Filter& filter, const Model& model,

@@ -12,8 +12,7 @@ PILOTAGE_LOCALIZER_SUITE(NoiseTest);
 const MarkerMap kMap({{1, 6, 2, 0, 0}});
 
 Params noisy_params(HeadingSource heading) {
-    Params params = plain_params();
-    params.motion.heading = heading;
+    Params params = params_with(heading);
     params.noise = {0.03, 0.01, 0.02, 0.01, 0.005, 0.01, 0.004};
     params.gyro_bias = {0, 0.01, 0.002};
     params.distance_scale = {1, 0.02, 0.01};

@@ -14,10 +14,8 @@ PILOTAGE_LOCALIZER_SUITE(StandstillTest);
 constexpr double kBias = 0.004;  // rad/s: 14 degrees a minute
 constexpr double kTick_rad = 0.002;
 
-const MarkerMap kMap = markers_around_origin();
-
 Journey without_camera() {
-    Journey journey(kMap);
+    Journey journey(kAroundOrigin);
     journey.camera = false;
     return journey;
 }
@@ -26,7 +24,7 @@ TEST_P(StandstillTest, NeitherHeadingNorItsVarianceDriftWithABiasedGyro) {
     Params params = gyro_params();
     params.gyro_bias.sigma = GetParam().states == kCalibratedStates ? 0.01 : 0;
     params.noise.position_m_per_sqrt_s = params.noise.heading_rad_per_sqrt_s = 0.01;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kAroundOrigin);
     Journey journey = without_camera();
     journey.gyro_bias = kBias;
     robot.add(journey.go(2));
@@ -46,7 +44,7 @@ TEST_P(StandstillTest, TeachesTheGyrosBias) {
     if (GetParam().states == kPoseStates) return;
     Params params = gyro_params();
     params.gyro_bias.sigma = 0.01;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kAroundOrigin);
     Journey journey = without_camera();
     journey.gyro_bias = kBias;
     robot.add(journey.go(30));
@@ -63,7 +61,7 @@ TEST_P(StandstillTest, TeachesNothingWhereTheBiasIsFrozen) {
     if (GetParam().states == kPoseStates) return;
     Params params = gyro_params();
     params.distance_scale.sigma = 0.01;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kAroundOrigin);
     Journey journey = without_camera();
     journey.gyro_bias = kBias;
     robot.add(journey.go(10));
@@ -74,7 +72,7 @@ TEST_P(StandstillTest, TeachesNothingWhereTheBiasIsFrozen) {
 /// Creeps and turns so slowly that its wheels tick now and then.
 double heading_lost(const Kind& kind, double tick_every_s, double seconds) {
     Params params = gyro_params();
-    Robot robot(kind, params, kMap);
+    Robot robot(kind, params, kAroundOrigin);
     Journey journey = without_camera();
     const double omega = 2 * kTick_rad / tick_every_s;  // both wheels, against each other
     robot.add(journey.go(2));
@@ -107,16 +105,16 @@ TEST_P(StandstillTest, IsDecidedAnewByLateSamples) {
     Params params = gyro_params();
     params.gyro_bias.sigma = 0.01;
     params.history.window_s = 20;
-    Journey journey(kMap);
+    Journey journey(kAroundOrigin);
     journey.gyro_bias = kBias;
     std::vector<Sample> samples = stop_and_go(journey);
-    Robot in_order(GetParam(), params, kMap);
+    Robot in_order(GetParam(), params, kAroundOrigin);
     in_order.add(samples);
     EXPECT_EQ(in_order.estimate().motion, MotionState::standing);
     std::mt19937 generator(3);
     for (int trial = 0; trial < 3; ++trial) {
         std::shuffle(samples.begin(), samples.end(), generator);
-        Robot robot(GetParam(), params, kMap);
+        Robot robot(GetParam(), params, kAroundOrigin);
         robot.add(samples);
         const double tolerance = GetParam().is_double ? 1e-12 : 1e-5;
         EXPECT_TRUE(close(robot.state(), in_order.state(), tolerance));
@@ -132,7 +130,7 @@ TEST_P(StandstillTest, EndsInThePastWhenALateTickComes) {
     Journey journey = without_camera();
     const std::vector<Sample> standing = journey.go(3);
     const std::int64_t tick_at = 2 * kSecond + kPeriod / 2;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kAroundOrigin);
     robot.add(standing);
     EXPECT_EQ(robot.estimate().motion, MotionState::standing);
     robot.add(encoders_at(tick_at, 1, 1));  // there and back
@@ -143,7 +141,7 @@ TEST_P(StandstillTest, EndsInThePastWhenALateTickComes) {
 }
 
 TEST_P(StandstillTest, ANewDriveBeginsWithItsFirstStep) {
-    Robot robot(GetParam(), gyro_params(), kMap);
+    Robot robot(GetParam(), gyro_params(), kAroundOrigin);
     Journey journey = without_camera();
     robot.add(journey.go(3));
     robot.add(journey.go(1, 0.5, 0.8));

@@ -140,10 +140,6 @@ TEST_P(StartTest, FromTwoBearingsThatStayTheSameIsNone) {
     EXPECT_NE(robot.estimate().status, Status::ok);
 }
 
-/// A rectangle looks the same from the other side.
-const std::vector<Marker> kRectangle{
-    {1, 5, 3, 0, 0}, {2, -5, 3, 0, 0}, {3, -5, -3, 0, 0}, {4, 5, -3, 0, 0}};
-
 struct Symmetric {
     MarkerMap map, seen{kRectangle};
     Journey journey{seen};
@@ -154,7 +150,7 @@ struct Symmetric {
         journey.ids = false;
     }
     [[nodiscard]] static MarkerMap broken() {
-        std::vector<Marker> markers = kRectangle;
+        std::vector<Marker> markers = kRectangle.markers();
         markers.push_back({5, 1, 6, 0, 0});
         return MarkerMap(markers);
     }

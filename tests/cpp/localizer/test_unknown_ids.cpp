@@ -94,7 +94,7 @@ TEST_P(UnknownIdTest, OfAFrameWithoutEndAreTakenInParts) {
 
 /// Whatever comes late, and frames in pieces: the estimate is that of the right order.
 TEST_P(UnknownIdTest, InAnyOrderGiveTheSame) {
-    const MarkerMap map = markers_around_origin();
+    const MarkerMap& map = kAroundOrigin;
     const std::vector<Sample> ordered = without_ids(Journey(map, 3).go(6, 0.4, 0.4));
     std::vector<std::pair<double, Sample>> arrivals;
     Draw draw(8);
@@ -157,7 +157,7 @@ TEST_P(UnknownIdTest, TakeNothingFromTheHeap) {
         void on_verdict(const Sample&, Verdict, Verdict) override {}
         void on_sighting(const SightingReport&) override {}
     } nobody;
-    const MarkerMap map = markers_around_origin();
+    const MarkerMap& map = kAroundOrigin;
     const auto samples = without_ids(Journey(map, 3).go(10, 0.4, 0.4));
     Localizer<double, kPoseStates> localizer(gyro_params(), map, nobody);
     const AllocationCount allocations;

@@ -11,14 +11,12 @@
 namespace pilotage::test {
 namespace {
 
-const MarkerMap kYard = yard();
-const Site kSite(kYard);
 const Pose<double> kRobot(1, 2, 0.5);
 
 Explanation explained(const Vector<double, 3>& z, int id, const Pose<double>& robot = kRobot,
                       double drift_m2 = 0, double drift_rad2 = 0, const SensorParams& sensor = {}) {
     const Sighting sighting{{z[0], z[1], z[2]}, {kNan, kNan, kNan}, id, -1};
-    const View view = view_of(sighting, sensor, kYard, kSite, {0, 0, 0}, drift_m2, drift_rad2);
+    const View view = view_of(sighting, sensor, kYard, kYardSite, {0, 0, 0}, drift_m2, drift_rad2);
     return explain(view, Frame(robot), kYard);
 }
 
@@ -39,7 +37,7 @@ TEST(LikelihoodTest, OfAnExactSightingIsTheGaussiansPeakAndTheClutter) {
     const Vector<double, 3> z = view(kRobot, kYard.markers()[4], sensor);
     const double peak = 1 / (std::pow(2 * kPi<double>, 1.5) * sensor.sigma_bearing_rad *
                              sensor.sigma_elevation_rad * sensor.sigma_range_m);
-    const double clutter = 1 / (2 * kPi<double> * kPi<double> * kSite.reach_m);
+    const double clutter = 1 / (2 * kPi<double> * kPi<double> * kYardSite.reach_m);
     const Explanation e = explained(z, 4);
     EXPECT_NEAR(e.log_likelihood, std::log((1 - kClutter) * peak + kClutter * clutter), 1e-9);
     EXPECT_EQ(e.marker, &kYard.markers()[4]);
@@ -50,7 +48,7 @@ TEST(LikelihoodTest, WithoutAnIdAMarkerIsOneOfTen) {
     const Vector<double, 3> z = view(kRobot, kYard.markers()[4]);
     const double known = std::exp(explained(z, 4).log_likelihood);
     const double unknown = std::exp(explained(z, -1).log_likelihood);
-    const double clutter = kClutter / (2 * kPi<double> * kPi<double> * kSite.reach_m);
+    const double clutter = kClutter / (2 * kPi<double> * kPi<double> * kYardSite.reach_m);
     EXPECT_NEAR((unknown - clutter) / (known - clutter), 0.1, 1e-3);
 }
 
@@ -81,7 +79,7 @@ TEST(LikelihoodTest, DriftWidensWhatItReaches) {
 TEST(LikelihoodTest, AMarkerThatTheMapDoesNotKnowSaysNothing) {
     const Sighting sighting{{0.1, kNan, kNan}, {kNan, kNan, kNan}, 77, -1};
     const SensorParams as_usual;
-    EXPECT_EQ(view_of(sighting, as_usual, kYard, kSite).measured, 0);
+    EXPECT_EQ(view_of(sighting, as_usual, kYard, kYardSite).measured, 0);
 }
 
 TEST(LikelihoodTest, TheDerivativesAreThoseOfTheFittedComponents) {
@@ -113,7 +111,7 @@ TEST(LikelihoodTest, WhatIsNotNearAddsNothingThatCounts) {
         z += Vector<double, 3>(0.02 * n[0], 0.02 * n[1], 0.1 * n[2]);
         z = only(z, run % 2 == 0, false, run % 3 != 0 || run % 2 != 0);
         const Sighting sighting{{z[0], z[1], z[2]}, {kNan, kNan, kNan}, id, -1};
-        const View v = view_of(sighting, as_usual, kYard, kSite);
+        const View v = view_of(sighting, as_usual, kYard, kYardSite);
         const Frame robot(kRobot);
         const Pose<double> sensor = robot.out_of(v.place);
         const Point along = turned({robot.c, robot.s}, v.along);

@@ -109,7 +109,7 @@ TEST(PoseSearchTest, RangesOfBeaconsInALineLeaveTheMirrorImage) {
 }
 
 TEST(PoseSearchTest, RangesFromOnePlaceLeaveTheHeadingOpen) {
-    const auto hypotheses = found(yard(), seen(yard(), {{1, 2, 0.5}}, kRanges, true));
+    const auto hypotheses = found(kYard, seen(kYard, {{1, 2, 0.5}}, kRanges, true));
     ASSERT_FALSE(hypotheses.empty());
     for (const Hypothesis& h : hypotheses)
         EXPECT_TRUE(hypotheses.size() > 1 || h.covariance(kHeading, kHeading) > 1);
@@ -119,8 +119,8 @@ TEST(PoseSearchTest, OneMarkerOrNothingGivesNoPose) {
     const MarkerMap one({{1, 4, 4, 0, 0}});
     for (const Mix& mix : {kBearings, kAngles, kPoints, kRanges})
         EXPECT_TRUE(found(one, seen(one, kDrive, mix, true)).empty());
-    EXPECT_TRUE(found(yard(), {}).empty());
-    EXPECT_TRUE(found(MarkerMap(), seen(yard(), kDrive, kPoints, true)).empty());
+    EXPECT_TRUE(found(kYard, {}).empty());
+    EXPECT_TRUE(found(MarkerMap(), seen(kYard, kDrive, kPoints, true)).empty());
 }
 
 TEST(PoseSearchTest, SightingsOfUnknownMarkersDoNotCount) {
@@ -133,8 +133,8 @@ TEST(PoseSearchTest, SightingsOfUnknownMarkersDoNotCount) {
 }
 
 TEST(PoseSearchTest, AGuessIsJudgedWithTheOthers) {
-    PoseSearch search(one_sensor(), yard());
-    const auto evidence = seen(yard(), {kDrive.back()}, {1, 0, 0}, true);
+    PoseSearch search(one_sensor(), kYard);
+    const auto evidence = seen(kYard, {kDrive.back()}, {1, 0, 0}, true);
     const Pose<double> guess = kDrive.back() + Pose<double>(0.1, 0.1, 0.05);
     const Hypotheses h = search.run(evidence.data(), 1, &guess, 1);
     ASSERT_EQ(h.count, 0);  // one sighting proves nothing
@@ -142,7 +142,7 @@ TEST(PoseSearchTest, AGuessIsJudgedWithTheOthers) {
 }
 
 TEST(PoseSearchTest, CarriedOffTheNewestSightingsSpeakForTheNewPlace) {
-    const MarkerMap map = yard();
+    const MarkerMap& map = kYard;
     auto evidence = seen(map, {{-3, 2, 2.5}}, kPoints, true);
     const auto before = seen(map, kDrive, kPoints, true);
     evidence.resize(6);
@@ -161,8 +161,8 @@ TEST(PoseSearchTest, CarriedOffTheNewestSightingsSpeakForTheNewPlace) {
 }
 
 TEST(PoseSearchTest, IsTheSameForTheSameAndTakesNothingFromTheHeap) {
-    SightingDrive drive(yard(), {true, false, false, false, 0.2, 2, 4}, 3);
-    PoseSearch search(drive.params(), yard()), other(drive.params(), yard());
+    SightingDrive drive(kYard, {true, false, false, false, 0.2, 2, 4}, 3);
+    PoseSearch search(drive.params(), kYard), other(drive.params(), kYard);
     for (int frame = 0; frame < 12; ++frame) drive.step();
     const auto& evidence = drive.newest_first();
     const AllocationCount count;
@@ -178,8 +178,8 @@ TEST(PoseSearchTest, IsTheSameForTheSameAndTakesNothingFromTheHeap) {
 }
 
 TEST(PoseSearchTest, LikelihoodOfATrackCountsItsOwnUncertainty) {
-    const PoseSearch search(one_sensor(), yard());
-    const auto evidence = seen(yard(), {{1, 2, 0.5}}, kBearings, true);
+    const PoseSearch search(one_sensor(), kYard);
+    const auto evidence = seen(kYard, {{1, 2, 0.5}}, kBearings, true);
     const Sighting& sighting = evidence[0].sighting;
     const auto under = [&](double sigma_rad, double off_rad) {
         const Matrix<double, 3> p = Pose<double>(1e-4, 1e-4, sigma_rad * sigma_rad).asDiagonal();

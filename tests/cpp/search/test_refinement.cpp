@@ -10,8 +10,6 @@
 namespace pilotage::test {
 namespace {
 
-const MarkerMap kYard = yard();
-const Site kSite(kYard);
 const SensorParams kSensor;
 const Pose<double> kRobot(1, 2, 0.5);
 
@@ -30,13 +28,13 @@ struct Scene {
             sightings.push_back(
                 {{z[0], z[1], z[2]}, {kNan, kNan, kNan}, id_of_all < 0 ? -1 : i, -1});
         }
-        for (const Sighting& s : sightings) views.push_back(view_of(s, kSensor, kYard, kSite));
+        for (const Sighting& s : sightings) views.push_back(view_of(s, kSensor, kYard, kYardSite));
     }
     [[nodiscard]] PoseFit at(const Pose<double>& pose) const {
-        return fit_at(pose, views.data(), 8, kYard, kSite, 1);
+        return fit_at(pose, views.data(), 8, kYard, kYardSite, 1);
     }
     [[nodiscard]] PoseFit from(const Pose<double>& pose, double widen) const {
-        return climb(pose, views.data(), 8, kYard, kSite, widen);
+        return climb(pose, views.data(), 8, kYard, kYardSite, widen);
     }
 };
 
@@ -65,16 +63,16 @@ TEST(RefinementTest, ExactSightingsLeadToTheExactPoseFromAMetreOff) {
 TEST(RefinementTest, AWrongSightingDoesNotPull) {
     Scene scene;
     scene.sightings[0].value[kBearing] += 0.8;
-    scene.views[0] = view_of(scene.sightings[0], kSensor, kYard, kSite);
+    scene.views[0] = view_of(scene.sightings[0], kSensor, kYard, kYardSite);
     EXPECT_TRUE(
         same_pose(scene.from(kRobot + Pose<double>(0.02, 0.02, 0.01), 1).pose, kRobot, 1e-4));
 }
 
 TEST(RefinementTest, WhatNoSightingTellsIsAsUnsureAsTheSiteIsLarge) {
     const Scene scene;
-    const PoseFit fit = climb(kRobot, scene.views.data(), 0, kYard, kSite, 1);
+    const PoseFit fit = climb(kRobot, scene.views.data(), 0, kYard, kYardSite, 1);
     const Matrix<double, 3> covariance = Ldlt<double, 3>(fit.information).inverse();
-    EXPECT_TRUE(close(Pose<double>(covariance.diagonal()), kSite.variances(), 1e-12));
+    EXPECT_TRUE(close(Pose<double>(covariance.diagonal()), kYardSite.variances(), 1e-12));
 }
 
 }  // namespace

@@ -5,21 +5,10 @@
 #include "pilotage/filter/ekf.hpp"
 #include "pilotage/motion/calibrated.hpp"
 #include "pilotage/motion/unicycle.hpp"
-#include "pilotage/sensing/bearing.hpp"
-#include "pilotage/sensing/elevation.hpp"
-#include "pilotage/sensing/marker_sighting.hpp"
-#include "pilotage/sensing/range.hpp"
 #include "support/random.hpp"
+#include "support/sightings.hpp"
 
 namespace pilotage::test {
-
-template <typename Scalar>
-using BearingOnly = MarkerSighting<Scalar, Bearing<Scalar>>;
-template <typename Scalar>
-using BearingElevation = MarkerSighting<Scalar, Bearing<Scalar>, Elevation<Scalar>>;
-template <typename Scalar>
-using BearingElevationRange =
-    MarkerSighting<Scalar, Bearing<Scalar>, Elevation<Scalar>, Range<Scalar>>;
 
 /// The motion model that fits a filter of N states.
 template <typename Scalar, int N>
