@@ -12,7 +12,7 @@ namespace {
 
 PILOTAGE_SUITE(FusePixelTest);
 
-const MarkerMap kMap({{5, 6, 2, 0.4, 0}, {6, -6, 2, 0.4, 0}});
+const MarkerMap kAheadAndBehind({{5, 6, 2, 0.4, 0}, {6, -6, 2, 0.4, 0}});
 const Pose<double> kTruth(0.1, -0.2, 0.3);
 
 /// So sure that everything is linear.
@@ -26,7 +26,7 @@ Ekf<Scalar, N> near_truth(double sigma = 0.003) {
 }
 
 Sample seen_at(const Pose<double>& robot, int id, const Vector<double, 2>& off = {0, 0}) {
-    const Vector<double, 3> point = in_sensor(robot, *kMap.find(id), kCamera);
+    const Vector<double, 3> point = in_sensor(robot, *kAheadAndBehind.find(id), kCamera);
     return pixel_at(9, id, kCamera.camera.project(point).value + off);
 }
 
@@ -38,8 +38,9 @@ TYPED_TEST(FusePixelTest, SaysWhatItsAnglesSay) {
     angles.payload.sighting = angles_of(pixel.payload.sighting, kCamera);
     for (const bool unscented : {false, true}) {
         auto by_pixel = near_truth<TypeParam>(), by_angles = near_truth<TypeParam>();
-        const auto report = fuse_pixel(by_pixel, pixel, kMap, kCamera, Policy{}, unscented);
-        const auto other = fuse_sighting(by_angles, angles, kMap, angular, Policy{});
+        const auto report =
+            fuse_pixel(by_pixel, pixel, kAheadAndBehind, kCamera, Policy{}, unscented);
+        const auto other = fuse_sighting(by_angles, angles, kAheadAndBehind, angular, Policy{});
         ASSERT_EQ(report.verdict, Verdict::fused);
         EXPECT_EQ(report.dof, 2);
         EXPECT_NEAR(report.nis, other.nis, 0.05 * other.nis) << "but for how u and v correlate";
@@ -52,7 +53,7 @@ TYPED_TEST(FusePixelTest, IsReportedInPixels) {
     auto filter = Ekf<TypeParam, 3>(kTruth.cast<TypeParam>(),
                                     Matrix<TypeParam, 3>::Identity() * TypeParam(1e-12));
     const auto report =
-        fuse_pixel(filter, seen_at(kTruth, 5, {3, -4}), kMap, kCamera, Policy{}, false);
+        fuse_pixel(filter, seen_at(kTruth, 5, {3, -4}), kAheadAndBehind, kCamera, Policy{}, false);
     EXPECT_NEAR(report.innovation[0], 3, 1e-2);
     EXPECT_NEAR(report.innovation[1], -4, 1e-2);
     EXPECT_NEAR(report.sigma[0], 0.5, 1e-3);
@@ -65,10 +66,12 @@ TYPED_TEST(FusePixelTest, OfNoMarkerOrOfOneThatCannotBeSeenSaysWhy) {
     auto filter = near_truth<TypeParam>();
     const auto before = filter.state();
     EXPECT_EQ(
-        fuse_pixel(filter, pixel_at(9, 7, {300, 200}), kMap, kCamera, Policy{}, false).verdict,
+        fuse_pixel(filter, pixel_at(9, 7, {300, 200}), kAheadAndBehind, kCamera, Policy{}, false)
+            .verdict,
         Verdict::unknown_marker);
     for (const bool unscented : {false, true})
-        EXPECT_EQ(fuse_pixel(filter, pixel_at(9, 6, {300, 200}), kMap, kCamera, Policy{}, unscented)
+        EXPECT_EQ(fuse_pixel(filter, pixel_at(9, 6, {300, 200}), kAheadAndBehind, kCamera, Policy{},
+                             unscented)
                       .verdict,
                   Verdict::out_of_view);
     EXPECT_EQ(filter.state(), before);
@@ -104,10 +107,11 @@ TYPED_TEST(FusePixelTest, IsHonestOnAClosePass) {
 TYPED_TEST(FusePixelTest, ALeaningBodyTakesTheBlame) {
     if constexpr (std::is_same_v<TypeParam, double>) {
         auto filter = near_truth<double, kTiltedStates>(1e-5);
-        const auto held = hold_pixel_against<double>(kTruth, *kMap.find(5),
+        const auto held = hold_pixel_against<double>(kTruth, *kAheadAndBehind.find(5),
                                                      seen_at(kTruth, 5).payload.sighting, kCamera);
         const Vector<double, 2> off = held.by_tilt * Vector<double, 2>(0.004, 0);
-        (void)fuse_pixel(filter, seen_at(kTruth, 5, off), kMap, kCamera, Policy{}, false);
+        (void)fuse_pixel(filter, seen_at(kTruth, 5, off), kAheadAndBehind, kCamera, Policy{},
+                         false);
         EXPECT_NEAR(filter.state()[kPitch], 0.004, 4e-4);
         EXPECT_NEAR((filter.state().head<3>() - kTruth).norm(), 0, 1e-5);
     }

@@ -19,7 +19,7 @@ void expect_steady(const Bench& bench, std::int64_t period) {
 }
 
 /// Ticks as often as the engine asks for, between the samples.
-void run(Bench& bench, const std::vector<Sample>& samples, std::int64_t& tick_at) {
+void run_with_ticks(Bench& bench, const std::vector<Sample>& samples, std::int64_t& tick_at) {
     for (const Sample& sample : samples) {
         for (; tick_at <= sample.utime; tick_at += bench.engine().tick_period())
             bench.engine().tick(tick_at, 0);
@@ -34,7 +34,7 @@ TEST(EngineOutputRateTest, StampsGoOnByThePeriodWhateverTheMotionsRate) {
         Journey journey(kAroundOrigin);
         journey.camera = false;
         std::int64_t tick_at = 0;
-        run(bench, journey.go(10, 0.5, 0.2), tick_at);
+        run_with_ticks(bench, journey.go(10, 0.5, 0.2), tick_at);
         EXPECT_NEAR(static_cast<double>(bench.poses.size()), 10.0 * rate, 2 + 0.03 * rate);
         expect_steady(bench, 1'000'000 / rate);
         EXPECT_EQ(bench.odometry.size(), 501U) << "the odometry keeps the motion's rate";
@@ -46,7 +46,7 @@ TEST(EngineOutputRateTest, PosesAreThoseOfTheMotionOnItsStampsAndPredictedBetwee
     Journey journey(kAroundOrigin), same(kAroundOrigin);
     journey.camera = same.camera = false;
     std::int64_t tick_at = 0;
-    run(bench, journey.go(4, 0.5, 0.2), tick_at);
+    run_with_ticks(bench, journey.go(4, 0.5, 0.2), tick_at);
     plain.run(same.go(4, 0.5, 0.2));
     ASSERT_GT(bench.poses.size(), 390U);
     int compared = 0;
@@ -68,7 +68,7 @@ TEST(EngineOutputRateTest, GoesOnThroughASilenceOfTheMotionAndSaysSo) {
     Bench bench = paced("20");
     Journey journey(kAroundOrigin);
     std::int64_t tick_at = 0;
-    run(bench, journey.go(5, 0.3, 0.1), tick_at);
+    run_with_ticks(bench, journey.go(5, 0.3, 0.1), tick_at);
     ASSERT_EQ(bench.poses.back().status, status_t::OK);
     for (const std::int64_t end = tick_at + 20'000'000; tick_at < end;
          tick_at += bench.engine().tick_period())
@@ -131,7 +131,7 @@ TEST(EngineOutputRateTest, AClockThatIsSetCostsNothing) {
     Bench bench = paced("100");
     Journey journey(kAroundOrigin);
     std::int64_t tick_at = 0;
-    run(bench, journey.go(2, 0.3, 0.1), tick_at);
+    run_with_ticks(bench, journey.go(2, 0.3, 0.1), tick_at);
     const std::size_t before = bench.poses.size();
     bench.engine().tick(tick_at + 1'000'000'000'000'000, 0);
     bench.engine().tick(tick_at - 1'000'000'000'000'000, 0);

@@ -161,10 +161,10 @@ TEST(FusionLogicTest, AnyComponentsOfTheMarkersConfirmAndAreMissed) {
 }
 
 /// The robot is set down elsewhere: the sightings jump by so much.
-struct Jump : Trial {
+struct JumpTrial : Trial {
     int wrong_and_ok = 0;  ///< tenths of a second
 
-    explicit Jump(double metres) {
+    explicit JumpTrial(double metres) {
         go(11);
         EXPECT_EQ(state(), status_t::OK);
         journey.truth[kX] += metres;
@@ -180,7 +180,7 @@ struct Jump : Trial {
 TEST(FusionLogicTest, AJumpIsNotOkUntilItIsFollowedAndAnnounced) {
     for (const double metres : {1.0, 2.0, 3.0, 5.0, 7.0, 10.0}) {
         SCOPED_TRACE(metres);
-        Jump t(metres);
+        JumpTrial t(metres);
         EXPECT_LE(t.wrong_and_ok, 5);
         EXPECT_EQ(t.state(), status_t::OK) << t.status().reason;
         EXPECT_TRUE(same_pose(t.pose(), t.journey.truth, 0.3));
@@ -192,7 +192,7 @@ TEST(FusionLogicTest, AJumpIsNotOkUntilItIsFollowedAndAnnounced) {
 
 /// Farther than the robot itself can find, it knows that it is lost, until a reset tells it more.
 TEST(FusionLogicTest, AJumpOfTwentyMetresIsLostAndMendedByAReset) {
-    Jump t(20);
+    JumpTrial t(20);
     EXPECT_LE(t.wrong_and_ok, 5);
     if (t.state() != status_t::OK) {
         EXPECT_EQ(t.state(), status_t::LOST);

@@ -69,7 +69,7 @@ Reports final_reports(const Tally& tally) {
     return reports;
 }
 
-void expect_same(const Robot& robot, const Robot& in_order, const Kind& kind) {
+void expect_same_outcome(const Robot& robot, const Robot& in_order, const LocalizerKind& kind) {
     const double tolerance = kind.is_double ? 1e-9 : 1e-4;
     EXPECT_TRUE(close(robot.state(), in_order.state(), tolerance));
     EXPECT_TRUE(close(robot.covariance(), in_order.covariance(), tolerance));
@@ -93,7 +93,7 @@ void expect_same(const Robot& robot, const Robot& in_order, const Kind& kind) {
     expect_sums_hold(robot);
 }
 
-void run(Robot& robot, const std::vector<Sample>& samples) {
+void run_through(Robot& robot, const std::vector<Sample>& samples) {
     robot.add(samples);
     robot.finish();
 }
@@ -105,15 +105,15 @@ TEST_P(ArrivalOrderTest, OfASetWithinTheWindowDoesNotMatter) {
             const Params params = robot_params(fusion, heading);
             std::vector<Sample> samples = noisy_drive(1.9, 21);
             Robot in_order(GetParam(), params, kSurveyedMarkers);
-            run(in_order, samples);
+            run_through(in_order, samples);
             EXPECT_GT(in_order.tally.count(Verdict::fused), 300);
             EXPECT_EQ(in_order.tally.count(Verdict::counter_reset), 1);
             for (int trial = 0; trial < 10; ++trial) {
                 SCOPED_TRACE(trial);
                 std::shuffle(samples.begin(), samples.end(), generator);
                 Robot robot(GetParam(), params, kSurveyedMarkers);
-                run(robot, samples);
-                expect_same(robot, in_order, GetParam());
+                run_through(robot, samples);
+                expect_same_outcome(robot, in_order, GetParam());
             }
         }
 }
@@ -125,7 +125,7 @@ TEST_P(ArrivalOrderTest, OfADriveWithDelaysWithinTheWindowDoesNotMatter) {
         SCOPED_TRACE(seed);
         const std::vector<Sample> samples = noisy_drive(10, seed);
         Robot in_order(GetParam(), params, kSurveyedMarkers);
-        run(in_order, samples);
+        run_through(in_order, samples);
         Draw draw(100 + seed);
         std::vector<std::pair<double, std::size_t>> arrival;
         for (std::size_t i = 0; i < samples.size(); ++i)
@@ -134,7 +134,7 @@ TEST_P(ArrivalOrderTest, OfADriveWithDelaysWithinTheWindowDoesNotMatter) {
         Robot robot(GetParam(), params, kSurveyedMarkers);
         for (const auto& [time, i] : arrival) robot.add(samples[i]);
         robot.finish();
-        expect_same(robot, in_order, GetParam());
+        expect_same_outcome(robot, in_order, GetParam());
     }
 }
 
@@ -142,13 +142,13 @@ TEST_P(ArrivalOrderTest, OfRepeatedSamplesDoesNotMatterEither) {
     const Params params = robot_params(Fusion::gate, HeadingSource::gyro);
     std::vector<Sample> samples = noisy_drive(1.5, 5);
     Robot in_order(GetParam(), params, kSurveyedMarkers);
-    run(in_order, samples);
+    run_through(in_order, samples);
     const std::size_t once = samples.size();
     for (std::size_t i = 0; i < once; i += 3) samples.push_back(samples[i]);
     std::mt19937 generator(2);
     std::shuffle(samples.begin(), samples.end(), generator);
     Robot robot(GetParam(), params, kSurveyedMarkers);
-    run(robot, samples);
+    run_through(robot, samples);
     const int repeated = static_cast<int>(samples.size() - once);
     EXPECT_EQ(robot.tally.count(Verdict::duplicate), repeated);
     EXPECT_EQ(robot.tally.rejected(), in_order.tally.rejected() + repeated);
@@ -162,14 +162,14 @@ TEST_P(ArrivalOrderTest, OfAResetAmongTheSamplesDoesNotMatter) {
     samples.push_back(reset_at(700'001, {4, -2, 1}, {0.1, 0.2, 0.3}));
     std::sort(samples.begin(), samples.end(), InOrder{});
     Robot in_order(GetParam(), params, kSurveyedMarkers);
-    run(in_order, samples);
+    run_through(in_order, samples);
     EXPECT_GE(in_order.estimate().resets, 1);
     std::mt19937 generator(7);
     for (int trial = 0; trial < 20; ++trial) {
         std::shuffle(samples.begin(), samples.end(), generator);
         Robot robot(GetParam(), params, kSurveyedMarkers);
-        run(robot, samples);
-        expect_same(robot, in_order, GetParam());
+        run_through(robot, samples);
+        expect_same_outcome(robot, in_order, GetParam());
         EXPECT_EQ(robot.estimate().resets, in_order.estimate().resets);
     }
 }

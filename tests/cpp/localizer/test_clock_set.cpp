@@ -10,7 +10,7 @@ PILOTAGE_LOCALIZER_SUITE(ClockSetTest);
 
 constexpr std::int64_t kShifts[] = {3600 * kSecond, -3600 * kSecond, 5 * kSecond, -kSecond, 1};
 
-std::vector<Sample> moved(std::vector<Sample> samples, std::int64_t by) {
+std::vector<Sample> shifted(std::vector<Sample> samples, std::int64_t by) {
     for (Sample& sample : samples) sample.utime += by;
     return samples;
 }
@@ -27,7 +27,7 @@ TEST_P(ClockSetTest, TheDriveGoesOnAsIfNothingHadHappened) {
         robot.set_time(journey.utime + shift);
         EXPECT_EQ(robot.estimate().utime, journey.utime + shift);
         EXPECT_EQ(robot.estimate().status, Status::ok) << "it agreed just now";
-        robot.add(moved(journey.go(5, 0.4, 0.2), shift));
+        robot.add(shifted(journey.go(5, 0.4, 0.2), shift));
         plain.add(same.go(5, 0.4, 0.2));
         EXPECT_EQ(robot.estimate().utime, plain.estimate().utime + shift);
         EXPECT_EQ(robot.estimate().status, Status::ok);
@@ -47,7 +47,7 @@ TEST_P(ClockSetTest, TheGyroStartsAnew) {
         journey.camera = false;
         robot.add(journey.go(3, 0.4, 0.5));
         robot.set_time(journey.utime + shift);
-        robot.add(moved(journey.go(3, 0.4, 0.5), shift));
+        robot.add(shifted(journey.go(3, 0.4, 0.5), shift));
         EXPECT_NEAR(wrap(robot.pose()[kHeading] - journey.truth[kHeading]), 0, 4e-3);
         EXPECT_TRUE(same_pose(robot.pose(), journey.truth, 0.02));
     }
@@ -76,7 +76,7 @@ TEST_P(ClockSetTest, SetBackTheSameStampsComeAgain) {
     Journey journey(kAroundOrigin);
     robot.add(journey.go(3, 0.2, 0));
     robot.set_time(journey.utime - 2 * kSecond);
-    robot.add(moved(journey.go(1, 0.2, 0), -2 * kSecond));
+    robot.add(shifted(journey.go(1, 0.2, 0), -2 * kSecond));
     EXPECT_EQ(robot.tally.count(Verdict::late), 0);
     EXPECT_TRUE(same_pose(robot.pose(), journey.truth, 0.1));
     EXPECT_EQ(robot.estimate().utime, journey.utime - 2 * kSecond);

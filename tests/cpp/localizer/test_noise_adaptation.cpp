@@ -77,7 +77,7 @@ struct NoisyCircle {
 };
 
 /// What is learned of a drive.
-NoiseScale learned(const Kind& kind, const NoisyCircle& circle, double seconds) {
+NoiseScale learned(const LocalizerKind& kind, const NoisyCircle& circle, double seconds) {
     Params params = NoisyCircle::params();
     if (circle.stated)  // what is configured does not count then
         params.sensors[0].sigma_bearing_rad = params.sensors[0].sigma_range_m = 1;

@@ -11,7 +11,7 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(StandstillTest);
 
-constexpr double kBias = 0.004;  // rad/s: 14 degrees a minute
+constexpr double kBias_rad_s = 0.004;  // rad/s: 14 degrees a minute
 constexpr double kTick_rad = 0.002;
 
 Journey without_camera() {
@@ -26,11 +26,12 @@ TEST_P(StandstillTest, NeitherHeadingNorItsVarianceDriftWithABiasedGyro) {
     params.noise.position_m_per_sqrt_s = params.noise.heading_rad_per_sqrt_s = 0.01;
     Robot robot(GetParam(), params, kAroundOrigin);
     Journey journey = without_camera();
-    journey.gyro_bias = kBias;
+    journey.gyro_bias = kBias_rad_s;
     robot.add(journey.go(2));
     EXPECT_EQ(robot.estimate().motion, MotionState::standing);
     const Estimate before = robot.estimate();
-    EXPECT_NEAR(before.pose[kHeading], 0, 0.55 * kBias) << "only the first window is believed";
+    EXPECT_NEAR(before.pose[kHeading], 0, 0.55 * kBias_rad_s)
+        << "only the first window is believed";
     robot.add(journey.go(120));
     const Estimate after = robot.estimate();
     EXPECT_NEAR(after.pose[kHeading], 0, std::abs(before.pose[kHeading]) + 1e-6);
@@ -46,10 +47,10 @@ TEST_P(StandstillTest, TeachesTheGyrosBias) {
     params.gyro_bias.sigma = 0.01;
     Robot robot(GetParam(), params, kAroundOrigin);
     Journey journey = without_camera();
-    journey.gyro_bias = kBias;
+    journey.gyro_bias = kBias_rad_s;
     robot.add(journey.go(30));
     const double sigma = std::sqrt(robot.covariance()(kGyroBias, kGyroBias));
-    EXPECT_NEAR(robot.state()[kGyroBias], kBias, 1e-4);
+    EXPECT_NEAR(robot.state()[kGyroBias], kBias_rad_s, 1e-4);
     EXPECT_NEAR(sigma, 0.002 / std::sqrt(29), 1e-4) << "the gyro's noise over the time it stood";
     const double start = robot.pose()[kHeading];
     robot.add(journey.go(60, 0.5, 0.1));
@@ -63,14 +64,14 @@ TEST_P(StandstillTest, TeachesNothingWhereTheBiasIsFrozen) {
     params.distance_scale.sigma = 0.01;
     Robot robot(GetParam(), params, kAroundOrigin);
     Journey journey = without_camera();
-    journey.gyro_bias = kBias;
+    journey.gyro_bias = kBias_rad_s;
     robot.add(journey.go(10));
     EXPECT_EQ(robot.estimate().motion, MotionState::standing);
     EXPECT_EQ(robot.state()[kGyroBias], 0);
 }
 
 /// Creeps and turns so slowly that its wheels tick now and then.
-double heading_lost(const Kind& kind, double tick_every_s, double seconds) {
+double heading_lost(const LocalizerKind& kind, double tick_every_s, double seconds) {
     Params params = gyro_params();
     Robot robot(kind, params, kAroundOrigin);
     Journey journey = without_camera();
@@ -106,7 +107,7 @@ TEST_P(StandstillTest, IsDecidedAnewByLateSamples) {
     params.gyro_bias.sigma = 0.01;
     params.history.window_s = 20;
     Journey journey(kAroundOrigin);
-    journey.gyro_bias = kBias;
+    journey.gyro_bias = kBias_rad_s;
     std::vector<Sample> samples = stop_and_go(journey);
     Robot in_order(GetParam(), params, kAroundOrigin);
     in_order.add(samples);

@@ -26,6 +26,7 @@ inline const MarkerMap kYard({{0, -8, -4, 0.5, 0},
                               {8, -9, 3, 0.5, 0},
                               {9, -1.5, 0.5, 0.5, 0}});
 inline const Site kYardSite(kYard);
+inline const Pose<double> kInYard(1, 2, 0.5);  ///< of a robot
 
 /// How the robot sees.
 struct Sight {
