@@ -8,6 +8,7 @@
 #include "support/localizers.hpp"
 #include "support/random.hpp"
 #include "support/robots.hpp"
+#include "support/sanitized.hpp"
 
 namespace pilotage::test {
 namespace {
@@ -108,7 +109,7 @@ TEST_P(ArrivalOrderTest, OfASetWithinTheWindowDoesNotMatter) {
             run_through(in_order, samples);
             EXPECT_GT(in_order.tally.count(Verdict::fused), 300);
             EXPECT_EQ(in_order.tally.count(Verdict::counter_reset), 1);
-            for (int trial = 0; trial < 10; ++trial) {
+            for (int trial = 0; trial < repeats(10); ++trial) {
                 SCOPED_TRACE(trial);
                 std::shuffle(samples.begin(), samples.end(), generator);
                 Robot robot(GetParam(), params, kSurveyedMarkers);
@@ -121,12 +122,12 @@ TEST_P(ArrivalOrderTest, OfASetWithinTheWindowDoesNotMatter) {
 /// Each sample of a long drive is late by up to 1.9 s of the 2 s that the history holds.
 TEST_P(ArrivalOrderTest, OfADriveWithDelaysWithinTheWindowDoesNotMatter) {
     const Params params = robot_params(Fusion::student_t, HeadingSource::gyro);
-    for (unsigned seed = 0; seed < 4; ++seed) {
+    for (int seed = 0; seed < repeats(4); ++seed) {
         SCOPED_TRACE(seed);
-        const std::vector<Sample> samples = noisy_drive(10, seed);
+        const std::vector<Sample> samples = noisy_drive(10, static_cast<unsigned>(seed));
         Robot in_order(GetParam(), params, kSurveyedMarkers);
         run_through(in_order, samples);
-        Draw draw(100 + seed);
+        Draw draw(static_cast<unsigned>(100 + seed));
         std::vector<std::pair<double, std::size_t>> arrival;
         for (std::size_t i = 0; i < samples.size(); ++i)
             arrival.emplace_back(double(samples[i].utime) + draw.uniform(0, 1.9e6), i);
@@ -165,7 +166,7 @@ TEST_P(ArrivalOrderTest, OfAResetAmongTheSamplesDoesNotMatter) {
     run_through(in_order, samples);
     EXPECT_GE(in_order.estimate().resets, 1);
     std::mt19937 generator(7);
-    for (int trial = 0; trial < 20; ++trial) {
+    for (int trial = 0; trial < repeats(20); ++trial) {
         std::shuffle(samples.begin(), samples.end(), generator);
         Robot robot(GetParam(), params, kSurveyedMarkers);
         run_through(robot, samples);

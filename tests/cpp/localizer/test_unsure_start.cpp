@@ -3,6 +3,7 @@
 
 #include "support/journeys.hpp"
 #include "support/localizers.hpp"
+#include "support/sanitized.hpp"
 #include "support/sighting_drives.hpp"
 
 namespace pilotage::test {
@@ -69,7 +70,7 @@ End drive_unsurely(bool symmetric, double sigma_m, unsigned seed) {
 }
 
 TEST(UnsureStartTest, WithoutIdsIsRightOrUndecided) {
-    const int runs = runs_of(30);
+    const int runs = runs_of(repeats(30));
     for (const bool symmetric : {true, false})
         for (const double sigma_m : {1.0, 2.0, 4.0, 6.0}) {
             int misled = 0, right = 0;

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "pilotage/judge.hpp"
+#include "support/sanitized.hpp"
 #include "support/sighting_drives.hpp"
 
 namespace pilotage::test {
@@ -98,7 +99,7 @@ TEST(SearchStartsTest, WithoutIdsAStartIsRightOrUndecided) {
         for (const Sight& sight : {Sight{true, false, false, false, outliers, 3, 4},
                                    Sight{true, true, false, false, outliers, 3, 4},
                                    Sight{true, false, true, false, outliers, 3, 4}}) {
-            const Counts c = starts(kYard, sight, runs_of(20));
+            const Counts c = starts(kYard, sight, runs_of(repeats(20)));
             EXPECT_LE(c.wrong, c.runs / 500);
             const bool bearings_alone = !sight.elevation && !sight.range;
             EXPECT_GE(c.within_ten, (bearings_alone ? 0.4 : 0.85) * c.runs);
