@@ -13,10 +13,6 @@ namespace {
 
 using Three = Track<double, kPoseStates>;
 
-/// Looks the same from the other side.
-const MarkerMap kRectangle(
-    {{1, 5, 3, 0, 0}, {2, -5, 3, 0, 0}, {3, -5, -3, 0, 0}, {4, 5, -3, 0, 0}});
-
 TEST(FixerTest, ASearchIsMadeTenTimesASecondAtMostWhileAPoseIsAmbiguous) {
     const Params params = plain_params();
     const Tracker<double, kPoseStates> tracker(params);

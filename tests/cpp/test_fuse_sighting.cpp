@@ -12,10 +12,10 @@ namespace {
 
 PILOTAGE_SUITE(FuseSightingTest);
 
-const MarkerMap kMap({{5, 6, 2, 0.4, 0}});
+const MarkerMap kMarkerFive({{5, 6, 2, 0.4, 0}});
 
 template <typename Scalar>
-Ekf<Scalar, 3> somewhere() {
+Ekf<Scalar, 3> near_origin() {
     return {Pose<Scalar>(Scalar(0.1), Scalar(-0.2), Scalar(0.3)),
             Pose<Scalar>(Scalar(0.04), Scalar(0.05), Scalar(0.003)).asDiagonal()};
 }
@@ -28,7 +28,7 @@ void expect_as_by_hand(const Vector<double, 3>& measured, const std::vector<int>
     const SensorParams sensor;
     const double sigmas[] = {sensor.sigma_bearing_rad, sensor.sigma_elevation_rad,
                              sensor.sigma_range_m};
-    auto by_hand = somewhere<Scalar>();
+    auto by_hand = near_origin<Scalar>();
     const MarkerSighting<Scalar, Components...> model{{Scalar(6), Scalar(2), Scalar(0.4)},
                                                       {components...}};
     Vector<Scalar, M> z;
@@ -40,9 +40,9 @@ void expect_as_by_hand(const Vector<double, 3>& measured, const std::vector<int>
     }
     const auto expected = by_hand.update(model, z, r, Policy{});
 
-    auto filter = somewhere<Scalar>();
+    auto filter = near_origin<Scalar>();
     const SightingReport report =
-        fuse_sighting(filter, sighting_at(9, 5, measured, 4), kMap, sensor, Policy{});
+        fuse_sighting(filter, sighting_at(9, 5, measured, 4), kMarkerFive, sensor, Policy{});
     EXPECT_TRUE(close(filter.state(), by_hand.state(), kTight<Scalar>));
     EXPECT_TRUE(close(filter.covariance(), by_hand.covariance(), kTight<Scalar>));
     EXPECT_EQ(report.verdict, Verdict::fused);
@@ -78,7 +78,7 @@ TYPED_TEST(FuseSightingTest, TakesEachMixOfComponentsAsOneMeasurement) {
 
 TYPED_TEST(FuseSightingTest, WrapsABearingAcrossTheBack) {
     using Scalar = TypeParam;
-    Ekf<Scalar, 3> filter = somewhere<Scalar>();
+    Ekf<Scalar, 3> filter = near_origin<Scalar>();
     const MarkerMap behind({{1, -10, -0.2, 0, 0}});
     const Vector<double, 3> seen =
         view(filter.state().template cast<double>(), behind.markers()[0]);
@@ -89,11 +89,11 @@ TYPED_TEST(FuseSightingTest, WrapsABearingAcrossTheBack) {
 }
 
 TYPED_TEST(FuseSightingTest, ReportsWhichSightingItIsOf) {
-    auto filter = somewhere<TypeParam>();
+    auto filter = near_origin<TypeParam>();
     Sample sample = sighting_at(-77, 5, {0.1, kNan, kNan}, 9);
     sample.seq = 13;
     sample.source = 2;
-    const auto report = fuse_sighting(filter, sample, kMap, SensorParams{}, Policy{});
+    const auto report = fuse_sighting(filter, sample, kMarkerFive, SensorParams{}, Policy{});
     EXPECT_EQ(report.utime, -77);
     EXPECT_EQ(report.frame_seq, 13);
     EXPECT_EQ(report.index, 9);
@@ -102,10 +102,10 @@ TYPED_TEST(FuseSightingTest, ReportsWhichSightingItIsOf) {
 }
 
 TYPED_TEST(FuseSightingTest, ReportsTheRobustWeight) {
-    auto filter = somewhere<TypeParam>();
+    auto filter = near_origin<TypeParam>();
     const Policy policy = Policy::make(Fusion::student_t, 0.001, 4);
-    const auto report =
-        fuse_sighting(filter, sighting_at(0, 5, {1.5, kNan, kNan}), kMap, SensorParams{}, policy);
+    const auto report = fuse_sighting(filter, sighting_at(0, 5, {1.5, kNan, kNan}), kMarkerFive,
+                                      SensorParams{}, policy);
     EXPECT_EQ(report.verdict, Verdict::fused);
     EXPECT_NEAR(report.weight, 5 / (4 + report.nis), 1e-5);
     EXPECT_LT(report.weight, 0.5);

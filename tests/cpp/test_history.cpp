@@ -26,7 +26,7 @@ void insert(History<Note>& history, const Sample& sample, int tag = 0) {
     note.tag = tag;
 }
 
-std::vector<std::int64_t> times(const History<Note>& history) {
+std::vector<std::int64_t> utimes(const History<Note>& history) {
     std::vector<std::int64_t> result;
     for (std::size_t i = 0; i < history.size(); ++i) result.push_back(history[i].sample.utime);
     return result;
@@ -40,13 +40,13 @@ TEST(HistoryTest, StartsEmptyAndFillsToItsCapacity) {
         insert(history, gyro_at(t, 0));
     }
     EXPECT_TRUE(history.full());
-    EXPECT_EQ(times(history), (std::vector<std::int64_t>{0, 1, 2}));
+    EXPECT_EQ(utimes(history), (std::vector<std::int64_t>{0, 1, 2}));
 }
 
 TEST(HistoryTest, InsertsInTheMiddleAndAtTheFront) {
     History<Note> history(4);
     for (const int t : {20, 40, 30, 10}) insert(history, gyro_at(t, 0), t);
-    EXPECT_EQ(times(history), (std::vector<std::int64_t>{10, 20, 30, 40}));
+    EXPECT_EQ(utimes(history), (std::vector<std::int64_t>{10, 20, 30, 40}));
     for (std::size_t i = 0; i < 4; ++i)
         EXPECT_EQ(history[i].tag, history[i].sample.utime) << "content has moved";
 }
@@ -57,10 +57,10 @@ TEST(HistoryTest, PopsTheOldestAndGoesRoundTheRing) {
         if (history.full()) history.pop_front();
         insert(history, gyro_at(t, 0), t);
     }
-    EXPECT_EQ(times(history), (std::vector<std::int64_t>{7, 8, 9}));
+    EXPECT_EQ(utimes(history), (std::vector<std::int64_t>{7, 8, 9}));
     history.pop_front();
     EXPECT_FALSE(history.full());
-    EXPECT_EQ(times(history), (std::vector<std::int64_t>{8, 9}));
+    EXPECT_EQ(utimes(history), (std::vector<std::int64_t>{8, 9}));
 }
 
 TEST(HistoryTest, KnowsADuplicateAmongNeighboursOfEqualTime) {

@@ -12,12 +12,6 @@
 namespace pilotage::test {
 namespace {
 
-using judging::kDecisive;
-using judging::kFrames;
-using judging::kMarkers;
-using judging::kMoreFrames;
-using judging::kSuspicious;
-
 MarkerSet first_markers(int count) {
     MarkerSet markers;
     for (int i = 0; i < count; ++i) markers.add(MarkerSet::of(i));
@@ -52,7 +46,8 @@ class Hearing {
         claim.covariance = Pose<double>(0.01, 0.01, 0.001).asDiagonal();
     }
 
-    void move(double distance_m = judging::kWay_m / (kFrames - 1) + 0.001, double turn_rad = 0.01) {
+    void move(double distance_m = judging::kWay_m / (judging::kFrames - 1) + 0.001,
+              double turn_rad = 0.01) {
         odometry_ = after_arc(odometry_, distance_m, turn_rad);
         if (claim.made) claim.pose = odometry_;
     }
@@ -68,10 +63,10 @@ class Hearing {
     /// \return the finding of the last but one frame
     Finding ask_to_the_end(const Pose<double>& began, double nats) {
         Finding finding = Finding::fine;
-        for (int i = 1; i <= kFrames; ++i) {
+        for (int i = 1; i <= judging::kFrames; ++i) {
             finding = judgement.finding;
             const int winner = ask({idea(began, nats)});
-            EXPECT_EQ(winner, i < kFrames ? -1 : 0) << "frame " << i;
+            EXPECT_EQ(winner, i < judging::kFrames ? -1 : 0) << "frame " << i;
             EXPECT_EQ(judgement.held, i);
             move();
         }
@@ -97,18 +92,18 @@ TEST(JudgeTest, FindsNothingAmissWhereNothingWasFound) {
 
 TEST(JudgeTest, TakesAPoseWhereThereIsNoneIfItIsFarBetterThanChance) {
     Hearing hearing;
-    EXPECT_EQ(hearing.ask({hearing.idea(kThere, kDecisive - 0.1)}), -1);
+    EXPECT_EQ(hearing.ask({hearing.idea(kThere, judging::kDecisive - 0.1)}), -1);
     EXPECT_EQ(hearing.judgement.finding, Finding::fine) << "it may be chance";
     EXPECT_EQ(hearing.judgement.held, 0);
-    EXPECT_EQ(hearing.ask_to_the_end(kThere, kDecisive + 0.1), Finding::elsewhere);
+    EXPECT_EQ(hearing.ask_to_the_end(kThere, judging::kDecisive + 0.1), Finding::elsewhere);
 }
 
 TEST(JudgeTest, DoubtsAConfirmedEstimateBeforeItGivesItUp) {
     Hearing hearing;
     hearing.claims(true);
-    hearing.ask({hearing.idea(kThere, kSuspicious - 0.1)});
+    hearing.ask({hearing.idea(kThere, judging::kSuspicious - 0.1)});
     EXPECT_EQ(hearing.judgement.finding, Finding::fine);
-    for (const double nats : {kSuspicious + 0.1, kDecisive - 0.1}) {
+    for (const double nats : {judging::kSuspicious + 0.1, judging::kDecisive - 0.1}) {
         hearing.ask({hearing.idea(kThere, nats)});
         EXPECT_EQ(hearing.judgement.finding, Finding::ambiguous);
         EXPECT_EQ(hearing.judgement.margin, nats) << "is what it says";
@@ -138,16 +133,16 @@ TEST(JudgeTest, HoldsAnEstimateThatIsNotConfirmedAgainstAllSightings) {
     hearing.claim.log_evidence = 40;
     hearing.claims(false);
     for (const double gain : {-1000.0, 1000.0}) {
-        Hypothesis rival = hearing.idea(kThere, -kDecisive - 0.1);
+        Hypothesis rival = hearing.idea(kThere, -judging::kDecisive - 0.1);
         rival.gain = gain;
         hearing.ask({rival});
         EXPECT_EQ(hearing.judgement.finding, Finding::fine) << "the estimate stands";
-        for (const double nats : {-kDecisive + 0.1, kDecisive - 0.1}) {
+        for (const double nats : {-judging::kDecisive + 0.1, judging::kDecisive - 0.1}) {
             rival.log_evidence = hearing.claim.log_evidence + nats;
             hearing.ask({rival});
             EXPECT_EQ(hearing.judgement.finding, Finding::ambiguous) << "either may be it";
         }
-        rival.log_evidence = hearing.claim.log_evidence + kDecisive + 0.1;
+        rival.log_evidence = hearing.claim.log_evidence + judging::kDecisive + 0.1;
         hearing.ask({rival});
         EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere);
         hearing.judgement = {};
@@ -158,7 +153,7 @@ TEST(JudgeTest, HoldsAnEstimateThatIsNotConfirmedAgainstAllSightings) {
 TEST(JudgeTest, AWeakerPriorNeedsLessToBeDoubted) {
     Hearing hearing;
     hearing.claims(false);
-    const Hypothesis rival = hearing.idea(kThere, -kDecisive - 1);
+    const Hypothesis rival = hearing.idea(kThere, -judging::kDecisive - 1);
     hearing.ask({rival});
     EXPECT_EQ(hearing.judgement.finding, Finding::fine);
     hearing.claim.log_evidence = -3;
@@ -172,11 +167,11 @@ TEST(JudgeTest, TwoThatAreAlikeAreAmbiguous) {
         if (estimate > 0) hearing.claims(estimate == 2);
         for (int frame = 0; frame < 10; ++frame) {
             const auto best = hearing.idea(kThere, 30);
-            const auto close = hearing.idea(kElsewhere, 30 - kDecisive + 0.1);
+            const auto close = hearing.idea(kElsewhere, 30 - judging::kDecisive + 0.1);
             EXPECT_EQ(hearing.ask({best, close}), -1) << "estimate " << estimate;
             EXPECT_EQ(hearing.judgement.finding, Finding::ambiguous);
             EXPECT_EQ(hearing.judgement.held, 0);
-            EXPECT_NEAR(hearing.judgement.margin, kDecisive - 0.1, 1e-9);
+            EXPECT_NEAR(hearing.judgement.margin, judging::kDecisive - 0.1, 1e-9);
             hearing.move();
         }
     }
@@ -186,8 +181,9 @@ TEST(JudgeTest, TheBestWinsByItsLeadBeforeTheSecondWhateverTheirOrder) {
     for (const std::size_t first : {0U, 1U}) {
         Hearing hearing;
         int winner = -1;
-        for (int frame = 0; frame < kFrames; ++frame) {
-            std::vector<Hypothesis> found(3, hearing.idea(kElsewhere, 30 - kDecisive - 0.1));
+        for (int frame = 0; frame < judging::kFrames; ++frame) {
+            std::vector<Hypothesis> found(3,
+                                          hearing.idea(kElsewhere, 30 - judging::kDecisive - 0.1));
             found[2] = hearing.idea({8, 8, 0}, 10);
             found[first] = hearing.idea(kThere, 30);
             winner = hearing.ask(found);
@@ -214,7 +210,7 @@ TEST(JudgeTest, ALeaderHasToHoldOverAWay) {
     };
     for (const Steps& steps :
          {Steps{judging::kWay_m / 6 + 1e-6, 0, 7}, Steps{0, judging::kWay_rad / 6 + 1e-6, 7},
-          Steps{0, -judging::kWay_rad / 6 - 1e-6, 7}, Steps{1, 0, kFrames}}) {
+          Steps{0, -judging::kWay_rad / 6 - 1e-6, 7}, Steps{1, 0, judging::kFrames}}) {
         Hearing hearing;
         int frames = 1;
         while (hearing.ask({hearing.idea(kThere, 30)}) < 0 && frames < 100) {
@@ -230,7 +226,7 @@ TEST(JudgeTest, ALeaderHasToExplainTheNewestSightings) {
     for (const int clutter : {judging::kClutterOfLatest, judging::kClutterOfLatest + 1}) {
         Hearing hearing;
         int winner = -1;
-        for (int frame = 0; frame < kFrames; ++frame) {
+        for (int frame = 0; frame < judging::kFrames; ++frame) {
             Hypothesis idea = hearing.idea(kThere, 30);
             idea.clutter = clutter;
             winner = hearing.ask({idea});
@@ -243,16 +239,16 @@ TEST(JudgeTest, ALeaderHasToExplainTheNewestSightings) {
 /// Two may be swapped, or one be moved.
 TEST(JudgeTest, AConfirmedEstimateFallsToThreeMarkersOnlyIfTheMapHasThem) {
     for (const bool confirmed : {false, true})
-        for (const int wanted : {2, kMarkers})
+        for (const int wanted : {2, judging::kMarkers})
             for (const int markers : {1, 2, 3}) {
                 Hearing hearing;
                 hearing.claims(confirmed);
                 hearing.claim.markers = wanted;
                 const bool enough = !confirmed || markers >= wanted;
-                for (int frame = 1; frame <= 2 * kMoreFrames; ++frame) {
+                for (int frame = 1; frame <= 2 * judging::kMoreFrames; ++frame) {
                     Hypothesis few = hearing.idea(kThere, 30);
                     few.markers = first_markers(markers);
-                    EXPECT_EQ(hearing.ask({few}), enough && frame >= kFrames ? 0 : -1)
+                    EXPECT_EQ(hearing.ask({few}), enough && frame >= judging::kFrames ? 0 : -1)
                         << "frame " << frame;
                     EXPECT_EQ(hearing.judgement.finding, Finding::elsewhere) << "it is not OK";
                     hearing.move();
@@ -265,13 +261,13 @@ TEST(JudgeTest, AnEstimateThatWasDoubtedHasToStandOutAgain) {
     for (const bool confirmed : {false, true}) {
         Hearing hearing;
         hearing.claims(confirmed);
-        const Hypothesis rival = hearing.idea(kThere, 2 * kDecisive);
+        const Hypothesis rival = hearing.idea(kThere, 2 * judging::kDecisive);
         const auto finding_with = [&](const std::vector<Hypothesis>& found) {
             hearing.ask(found);
             return hearing.judgement.finding;
         };
-        const Hypothesis weaker = hearing.idea(kThere, -kDecisive - 1);
-        const Hypothesis alike = hearing.idea(kThere, -kDecisive + 1);
+        const Hypothesis weaker = hearing.idea(kThere, -judging::kDecisive - 1);
+        const Hypothesis alike = hearing.idea(kThere, -judging::kDecisive + 1);
         const Hypothesis itself = hearing.idea({0, 0, 0}, 0);
         EXPECT_EQ(finding_with({}), Finding::fine) << "nothing speaks against it";
         EXPECT_EQ(finding_with({rival}), Finding::elsewhere);
@@ -295,13 +291,13 @@ TEST(JudgeTest, ASearchThatCouldNotTryAllTakesMoreFrames) {
 TEST(JudgeTest, ARowThatIsBrokenStartsAnew) {
     const auto breaks = {
         +[](Hearing&) { return std::vector<Hypothesis>(); },
-        +[](Hearing& h) { return std::vector<Hypothesis>{h.idea(kThere, kDecisive - 1)}; },
+        +[](Hearing& h) { return std::vector<Hypothesis>{h.idea(kThere, judging::kDecisive - 1)}; },
         +[](Hearing& h) {
             return std::vector<Hypothesis>{h.idea(kThere, 30), h.idea(kElsewhere, 29)};
         }};
     for (const auto& broken : breaks) {
         Hearing hearing;
-        for (int frame = 1; frame < kFrames; ++frame) {
+        for (int frame = 1; frame < judging::kFrames; ++frame) {
             hearing.ask({hearing.idea(kThere, 30)});
             hearing.move();
         }
@@ -326,7 +322,7 @@ TEST(JudgeTest, AVaguePoseIsNoneYet) {
     for (const int entry : {kX, kY, kHeading}) {
         Hearing hearing;
         const double most = entry == kHeading ? judging::kVaguest_rad2 : judging::kVaguest_m2;
-        for (int frame = 0; frame < 2 * kFrames; ++frame) {
+        for (int frame = 0; frame < 2 * judging::kFrames; ++frame) {
             Hypothesis vague = hearing.idea(kThere, 30);
             vague.covariance(entry, entry) = 1.01 * most;
             EXPECT_EQ(hearing.ask({vague}), -1);
@@ -334,10 +330,10 @@ TEST(JudgeTest, AVaguePoseIsNoneYet) {
             EXPECT_EQ(hearing.judgement.held, 0);
             hearing.move();
         }
-        for (int frame = 1; frame <= kFrames; ++frame) {
+        for (int frame = 1; frame <= judging::kFrames; ++frame) {
             Hypothesis sure = hearing.idea(kThere, 30);
             sure.covariance(entry, entry) = 0.99 * most;
-            EXPECT_EQ(hearing.ask({sure}), frame < kFrames ? -1 : 0);
+            EXPECT_EQ(hearing.ask({sure}), frame < judging::kFrames ? -1 : 0);
             hearing.move();
         }
     }
@@ -403,7 +399,7 @@ TEST(JudgeTest, WhatIsTheEstimateItselfSpeaksForIt) {
             hearing.move();
         }
         int winner = -1;
-        for (int frame = 0; frame < kFrames; ++frame) {
+        for (int frame = 0; frame < judging::kFrames; ++frame) {
             winner = hearing.ask({hearing.idea(kThere, 60), hearing.idea(kHere, 30)});
             hearing.move();
         }

@@ -18,7 +18,7 @@ TEST(TiltTest, NoseUpLowersWhatIsAheadAndLeftSideUpWhatIsOnTheLeft) {
     EXPECT_NEAR(tilted({kPi<double> / 2, 0.1, 1}, 0, 0.02)[1], 0.08, 1e-12);
 }
 
-const Marker kMarker{1, 3, -2, 2.5, 0};
+const Marker kCeilingMarker{1, 3, -2, 2.5, 0};
 
 SensorParams sensor_on_a_mast() {
     SensorParams sensor;
@@ -35,13 +35,13 @@ TiltedSighting<double, int(sizeof...(Components))> held(const Vector<double, 8>&
                                                         const Point3& seen,
                                                         const Components&... components) {
     const Sighting sighting{{seen[0], seen[1], seen[2]}, {kNan, kNan, kNan}, 1, -1};
-    const auto level =
-        hold_against<double>(x.head<3>(), kMarker, sighting, sensor_on_a_mast(), components...);
+    const auto level = hold_against<double>(x.head<3>(), kCeilingMarker, sighting,
+                                            sensor_on_a_mast(), components...);
     return with_tilt<double, Components...>(level, x);
 }
 
-/// A robot somewhere on level ground.
-Vector<double, 8> somewhere(Draw& draw) {
+/// A robot level_somewhere on level ground.
+Vector<double, 8> level_somewhere(Draw& draw) {
     Vector<double, 8> x = Vector<double, 8>::Zero();
     x << draw.uniform(-4, 0), draw.uniform(1, 5), draw.uniform(-3, 3), 0, 1, 1, 0, 0;
     return x;
@@ -50,7 +50,7 @@ Vector<double, 8> somewhere(Draw& draw) {
 /// The sensor's own yaw does not matter to pitch and roll.
 Point3 seen_from(const Vector<double, 8>& x, double pitch, double roll) {
     const SensorParams sensor = sensor_on_a_mast();
-    Point3 level = view(x.head<3>(), kMarker, sensor);
+    Point3 level = view(x.head<3>(), kCeilingMarker, sensor);
     level[0] += sensor.yaw_rad;
     Point3 seen = tilted(level, pitch, roll);
     seen[0] = wrap(seen[0] - sensor.yaw_rad);
@@ -61,7 +61,7 @@ TEST(TiltTest, JacobianIsTheDerivativeOfTheTurnedLineOfSight) {
     Draw draw(1);
     constexpr double step = 1e-5;
     for (int i = 0; i < 50; ++i) {
-        const Vector<double, 8> x = somewhere(draw);
+        const Vector<double, 8> x = level_somewhere(draw);
         const auto j =
             held(x, seen_from(x, 0, 0), Bearing<double>{}, Elevation<double>{}, Range<double>{})
                 .jacobian;
@@ -80,7 +80,7 @@ TEST(TiltTest, JacobianIsTheDerivativeOfTheTurnedLineOfSight) {
 TEST(TiltTest, TheTiltOfTheStateExplainsWhatItDoes) {
     Draw draw(2);
     for (int i = 0; i < 50; ++i) {
-        Vector<double, 8> x = somewhere(draw);
+        Vector<double, 8> x = level_somewhere(draw);
         x[kPitch] = 0.002;
         x[kRoll] = -0.001;
         const auto innovation = held(x, seen_from(x, x[kPitch], x[kRoll]), Bearing<double>{},

@@ -9,8 +9,6 @@ namespace {
 
 PILOTAGE_SUITE(AssociationTest);
 
-using Ids = std::vector<int>;
-
 /// Six markers, far apart as seen from the origin.
 Scene around() {
     return {MarkerMap({{1, 6, 2, 0, 0},

@@ -1,6 +1,7 @@
 #include "pilotage/association/nearest_projection.hpp"
 
 #include "pilotage/association.hpp"
+#include "support/frames.hpp"
 #include "support/images.hpp"
 #include "support/scalars.hpp"
 
@@ -9,7 +10,7 @@ namespace {
 
 PILOTAGE_SUITE(NearestProjectionTest);
 
-const MarkerMap kMap(
+const MarkerMap kFourMarkers(
     {{1, 6, 2, 0.4, 0}, {2, 6, 1, 0.4, 0, 7}, {3, 5, -1, 0.2, 0}, {4, -5, 0, 0, 0}});
 
 SensorParams paper_sensor() {
@@ -21,27 +22,25 @@ SensorParams paper_sensor() {
 Sighting near_marker(int id, double du, double dv, int label = -1, double heading_rad = 0) {
     const SensorParams sensor = paper_sensor();
     const Vector<double, 2> at =
-        sensor.camera.project(in_sensor({0, 0, heading_rad}, *kMap.find(id), sensor)).value;
+        sensor.camera.project(in_sensor({0, 0, heading_rad}, *kFourMarkers.find(id), sensor)).value;
     return {{at[0] + du, at[1] + dv, kNan}, {kNan, kNan, kNan}, kUnknownId, label};
 }
 
 template <typename Scalar>
-std::vector<int> ids_of(const std::vector<Sighting>& frame) {
+Ids ids_of(const std::vector<Sighting>& frame) {
     Associator<Scalar> associator;
     associator.begin_frame();
     for (const Sighting& sighting : frame) associator.add(sighting);
     const SensorParams sensor = paper_sensor();
-    associator.resolve(Pose<Scalar>::Zero(), Matrix<Scalar, 3>::Identity() * Scalar(1e-6), kMap,
-                       sensor, Policy::make(Fusion::student_t, 0.001, 4));
-    std::vector<int> ids;
+    associator.resolve(Pose<Scalar>::Zero(), Matrix<Scalar, 3>::Identity() * Scalar(1e-6),
+                       kFourMarkers, sensor, Policy::make(Fusion::student_t, 0.001, 4));
+    Ids ids;
     for (std::size_t i = 0; i < frame.size(); ++i) {
         ids.push_back(associator[i].id);
         EXPECT_EQ(associator[i].verdict == Verdict::no_match, ids.back() == kUnknownId);
     }
     return ids;
 }
-
-using Ids = std::vector<int>;
 
 TYPED_TEST(NearestProjectionTest, APixelIsOfTheMarkerProjectedNearest) {
     EXPECT_EQ(ids_of<TypeParam>({near_marker(3, 40, -45), near_marker(1, -8, 9)}), (Ids{3, 1}));
@@ -79,8 +78,8 @@ TYPED_TEST(NearestProjectionTest, WithoutARadiusTheUncertaintyDecides) {
     const Policy policy = Policy::make(Fusion::student_t, 0.001, 4);
     const auto resolve = [&](double sigma) {
         associator.resolve(Pose<TypeParam>::Zero(),
-                           Matrix<TypeParam, 3>::Identity() * TypeParam(sigma * sigma), kMap,
-                           sensor, policy);
+                           Matrix<TypeParam, 3>::Identity() * TypeParam(sigma * sigma),
+                           kFourMarkers, sensor, policy);
     };
     resolve(1e-3);
     for (std::size_t i : {0U, 1U}) EXPECT_EQ(associator[i].verdict, Verdict::no_match);

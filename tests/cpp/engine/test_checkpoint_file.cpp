@@ -32,7 +32,7 @@ checkpoint_t message_of(int states) {
     return message;
 }
 
-std::string refusal(const Bytes& bytes) {
+std::string unpack_error(const Bytes& bytes) {
     return complaint<std::runtime_error>([&] { (void)unpack(bytes); });
 }
 
@@ -57,20 +57,20 @@ TEST(CheckpointFileTest, AnyFlippedBitIsFound) {
     for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
         Bytes bad = good;
         bad[bit / 8] = static_cast<std::uint8_t>(bad[bit / 8] ^ (1U << bit % 8));
-        ASSERT_EQ(refusal(bad), "is damaged: its CRC is wrong") << "bit " << bit;
+        ASSERT_EQ(unpack_error(bad), "is damaged: its CRC is wrong") << "bit " << bit;
     }
 }
 
 TEST(CheckpointFileTest, AnyTruncationAndAnyTailIsFound) {
     const Bytes good = pack(message_of(3));
     for (std::size_t size = 0; size < good.size(); ++size)
-        ASSERT_NE(refusal(Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size))),
-                  "")
+        ASSERT_NE(
+            unpack_error(Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size))), "")
             << size << " bytes";
-    EXPECT_EQ(refusal({}), "is too short");
+    EXPECT_EQ(unpack_error({}), "is too short");
     Bytes longer = good;
     longer.push_back(0);
-    EXPECT_NE(refusal(longer), "");
+    EXPECT_NE(unpack_error(longer), "");
 }
 
 /// CRC-32 as everybody computes it, so that other programs can check the file.
@@ -101,7 +101,7 @@ TEST(CheckpointFileTest, OfAnotherVersionSaysSo) {
         crc = ~crc;
         for (int shift = 24; shift >= 0; shift -= 8)
             bytes.push_back(static_cast<std::uint8_t>(crc >> shift));
-        EXPECT_EQ(refusal(bytes), "is of another version of this program");
+        EXPECT_EQ(unpack_error(bytes), "is of another version of this program");
     }
 }
 
@@ -170,8 +170,7 @@ TEST(CheckpointFileTest, WhatCannotBeWrittenLeavesTheOldOneAndSaysWhy) {
 TEST(CheckpointFileTest, AnEngineBeginsWhereAnotherEnded) {
     const std::string robot = std::string(kPlainRobot);
     Bench before("", robot);
-    const MarkerMap map({{1, 6, 2, 0.4, 0}, {2, 4, -4, 0, 0}});
-    Journey journey(map);
+    Journey journey(kPlainMap);
     before.run(journey.go(12, 0.1, 0.2));
     ASSERT_EQ(before.poses.back().status, status_t::OK);
     ASSERT_GE(before.checkpoints.size(), 2U) << "one every 5 s";

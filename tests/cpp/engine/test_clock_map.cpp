@@ -8,11 +8,11 @@
 #include <cmath>
 
 #include "support/random.hpp"
+#include "support/units.hpp"
 
 namespace pilotage::test {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
 constexpr std::int64_t kYear = 365 * 24 * 3600 * kSecond;
 
 /// Arrival of a message that was sent at a time of ours.

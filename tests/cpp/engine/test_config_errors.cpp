@@ -3,17 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "engine/config_file.hpp"
+#include "support/configs.hpp"
 #include "support/files.hpp"
 
 namespace pilotage::test {
 namespace {
 
-std::string said(const std::string& yaml) {
-    return complaint<ConfigError>([&] { (void)parse_config(yaml, "robot.yaml", ""); });
-}
-
 #define EXPECT_SAID(yaml, start) \
-    EXPECT_EQ(said(yaml).substr(0, std::string(start).size()), start) << said(yaml)
+    EXPECT_EQ(refusal(yaml).substr(0, std::string(start).size()), start) << refusal(yaml)
 
 TEST(ConfigErrorTest, AnUnknownKeyIsNamedWithItsLineAndTheNearest) {
     EXPECT_SAID("motion: {heading: gyro}\nnoise:\n  wheel_m_per_sqrt: 1\n",
@@ -30,7 +27,7 @@ TEST(ConfigErrorTest, AnUnknownSectionIsNoBetterForBeingEmpty) {
     EXPECT_SAID("gyro: {}\nsensor: {}\n", "robot.yaml:2: unknown key 'sensor'");
     EXPECT_SAID("gyro: {channel: {}}\n", "robot.yaml:1: ");
     EXPECT_SAID("encoders:\n  wheels: {}\n", "robot.yaml:2: unknown key 'encoders.wheels'");
-    EXPECT_EQ(said("sensors: {}\n"), "") << "no sensor is a robot by dead reckoning";
+    EXPECT_EQ(refusal("sensors: {}\n"), "") << "no sensor is a robot by dead reckoning";
 }
 
 TEST(ConfigErrorTest, ASectionThatHoldsItselfIsRefused) {
@@ -86,8 +83,8 @@ TEST(ConfigErrorTest, AValueMustBeAValueAndASectionASection) {
 
 TEST(ConfigErrorTest, TextThatIsNoYamlSaysWhereItBreaks) {
     EXPECT_SAID("gyro: {channel: A\nencoders: 1\n", "robot.yaml:");
-    EXPECT_NE(said("gyro: {channel: A\nencoders: 1\n").find("not YAML"), std::string::npos);
-    EXPECT_NE(said("gyro:\n\tchannel: A\n"), "");
+    EXPECT_NE(refusal("gyro: {channel: A\nencoders: 1\n").find("not YAML"), std::string::npos);
+    EXPECT_NE(refusal("gyro:\n\tchannel: A\n"), "");
 }
 
 TEST(ConfigErrorTest, AStartIsGivenInFullOrNotAtAll) {
@@ -95,7 +92,7 @@ TEST(ConfigErrorTest, AStartIsGivenInFullOrNotAtAll) {
          {"{x_m: 1}", "{x_m: 1, y_m: 2}", "{heading_rad: 0}", "{y_m: 0, heading_rad: 1}"})
         EXPECT_SAID(std::string("initial: ") + part + "\n",
                     "robot.yaml: initial needs x_m, y_m and heading_rad together, or none of them");
-    EXPECT_EQ(said("initial: {sigma_position_m: 2}\n"), "");
+    EXPECT_EQ(refusal("initial: {sigma_position_m: 2}\n"), "");
 }
 
 TEST(ConfigErrorTest, InputsMayNotShareAChannelUnlessTheyAreSensors) {
@@ -105,8 +102,8 @@ TEST(ConfigErrorTest, InputsMayNotShareAChannelUnlessTheyAreSensors) {
                 "robot.yaml: gyro.channel 'ENCODERS' is another input's channel as well");
     EXPECT_SAID("pose_reset: {channel: GYRO}\n",
                 "robot.yaml: pose_reset.channel 'GYRO' is another input's channel as well");
-    EXPECT_EQ(said("sensors: {left: {channel: CAMERA}, right: {channel: CAMERA}}\n"), "");
-    EXPECT_EQ(said("encoders: {channel: ODO}\nvelocity: {channel: ODO}\n"), "")
+    EXPECT_EQ(refusal("sensors: {left: {channel: CAMERA}, right: {channel: CAMERA}}\n"), "");
+    EXPECT_EQ(refusal("encoders: {channel: ODO}\nvelocity: {channel: ODO}\n"), "")
         << "only one of them is an input";
 }
 
@@ -119,7 +116,7 @@ TEST(ConfigErrorTest, ARateOfPosesIsOneThatTimeCanBeCountedBy) {
     for (const std::string rate : {"1e-300", "0.05", "1001", "1e9"})
         EXPECT_SAID("output: {rate_hz: " + rate + "}\n", "robot.yaml: output.rate_hz is ");
     for (const std::string rate : {"0", "0.1", "1000"})
-        EXPECT_EQ(said("output: {rate_hz: " + rate + "}\n"), "");
+        EXPECT_EQ(refusal("output: {rate_hz: " + rate + "}\n"), "");
 }
 
 TEST(ConfigErrorTest, ASensorsNameIsOneWord) {

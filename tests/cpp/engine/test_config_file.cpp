@@ -6,14 +6,11 @@
 
 #include <cmath>
 
+#include "support/configs.hpp"
 #include "support/files.hpp"
 
 namespace pilotage::test {
 namespace {
-
-Config parsed(const std::string& yaml) {
-    return parse_config(yaml, "robot.yaml", "");
-}
 
 TEST(ConfigFileTest, WritesEveryKeyAndReadsItBack) {
     Config config = parsed(

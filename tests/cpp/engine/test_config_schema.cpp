@@ -11,15 +11,13 @@
 namespace pilotage::test {
 namespace {
 
-using Range = Field::Range;
-
 Config with_sensor() {
     Config config;
     (void)config.sensor("camera");
     return config;
 }
 
-std::string refusal(const Field& field, const std::string& text) {
+std::string setting_error(const Field& field, const std::string& text) {
     return complaint<ConfigError>([&] { field.set(text, "robot.yaml:7"); });
 }
 
@@ -53,7 +51,7 @@ TEST(ConfigSchemaTest, DefaultsAreWithinTheirRanges) {
     Config config = with_sensor();
     for (const Field& f : fields(config)) {
         if (f.unset() || is_file(f.key)) continue;
-        EXPECT_EQ(refusal(f, f.text()), "");
+        EXPECT_EQ(setting_error(f, f.text()), "");
     }
 }
 
@@ -81,7 +79,7 @@ TEST(ConfigSchemaTest, EveryChoiceReadsBackAndNamesTheOthers) {
             f.set(name, "");
             EXPECT_EQ(f.text(), name) << f.key;
         }
-        const std::string said = refusal(f, "nonsense");
+        const std::string said = setting_error(f, "nonsense");
         EXPECT_NE(said.find(f.key + " is 'nonsense', expected one of "), std::string::npos) << said;
         for (const std::string& name : choice->names)
             EXPECT_NE(said.find(name), std::string::npos) << said;
@@ -99,7 +97,7 @@ TEST(ConfigSchemaTest, NoNumberTakesWhatIsNone) {
         for (const char* text : {"",    " ",    "abc",   "1.0x", "1,5", "1 2",  "--1",
                                  "+-1", "0x10", ".nan",  "nan",  "NaN", ".inf", "-.inf",
                                  "inf", "-inf", "1e999", "true", "~",   "1e10", "-1e300"}) {
-            const std::string said = refusal(f, text);
+            const std::string said = setting_error(f, text);
             EXPECT_NE(said.find("robot.yaml:7: " + f.key + " is '" + text + "', expected a"),
                       std::string::npos)
                 << f.key << " took '" << text << "' " << said;
@@ -112,11 +110,11 @@ TEST(ConfigSchemaTest, RangesAreKept) {
     Config config = with_sensor();
     for (const Field& f : fields(config)) {
         if (!std::holds_alternative<double*>(f.value)) continue;
-        const auto takes = [&](const char* text) { return refusal(f, text).empty(); };
-        const bool any = f.range == Range::any || f.range == Range::unset_or_any;
-        EXPECT_EQ(takes("-1"), any || f.range == Range::not_zero) << f.key;
-        EXPECT_EQ(takes("0"), any || f.range == Range::not_negative) << f.key;
-        EXPECT_EQ(takes("1"), f.range != Range::probability) << f.key;
+        const auto takes = [&](const char* text) { return setting_error(f, text).empty(); };
+        const bool any = f.range == Field::Range::any || f.range == Field::Range::unset_or_any;
+        EXPECT_EQ(takes("-1"), any || f.range == Field::Range::not_zero) << f.key;
+        EXPECT_EQ(takes("0"), any || f.range == Field::Range::not_negative) << f.key;
+        EXPECT_EQ(takes("1"), f.range != Field::Range::probability) << f.key;
         EXPECT_TRUE(takes("0.5")) << f.key;
     }
 }
@@ -125,7 +123,7 @@ TEST(ConfigSchemaTest, CapacityIsAWholeNumberOfSamples) {
     Config config;
     const Field capacity = field(config, "history.capacity", "");
     for (const char* bad : {"0", "-5", "1.5", "1e3", "1000001", "99999999999999999999"})
-        EXPECT_NE(refusal(capacity, bad).find("a whole number from 1 to 1000000"),
+        EXPECT_NE(setting_error(capacity, bad).find("a whole number from 1 to 1000000"),
                   std::string::npos)
             << bad;
     capacity.set("1000000", "");
@@ -134,7 +132,7 @@ TEST(ConfigSchemaTest, CapacityIsAWholeNumberOfSamples) {
 
 TEST(ConfigSchemaTest, AChannelHasAName) {
     Config config;
-    EXPECT_NE(refusal(field(config, "gyro.channel", ""), ""), "");
+    EXPECT_NE(setting_error(field(config, "gyro.channel", ""), ""), "");
 }
 
 TEST(ConfigSchemaTest, AnUnknownKeyNamesTheNearest) {

@@ -5,19 +5,12 @@
 #include <fstream>
 
 #include "engine/config_file.hpp"
+#include "support/configs.hpp"
 #include "support/files.hpp"
 #include "support/matchers.hpp"
 
 namespace pilotage::test {
 namespace {
-
-Config parsed(const std::string& yaml) {
-    return parse_config(yaml, "robot.yaml", "");
-}
-
-std::string refusal(const std::string& yaml) {
-    return complaint<ConfigError>([&] { (void)parsed(yaml); });
-}
 
 TEST(ConfigSensorTest, KeysAreThoseThatMeanSomething) {
     const Config c = parsed(

@@ -7,11 +7,11 @@
 #include "support/engines.hpp"
 #include "support/journeys.hpp"
 #include "support/random.hpp"
+#include "support/units.hpp"
 
 namespace pilotage::test {
 namespace {
 
-constexpr double kDegree = kPi<double> / 180;
 constexpr double kSigma = 0.02;
 
 /// What is said of sightings from 2 to 12 m whose elevations are off by so much at a distance.
@@ -81,16 +81,8 @@ struct Heard {
 /// \param offset of an elevation, by the distance
 template <typename Offset>
 Heard heard_of(unsigned seed, const Offset& offset) {
-    const MarkerMap map = markers_around_origin();
-    Bench bench("", R"(
-motion: {heading: gyro}
-initial: {x_m: 0, y_m: 0, heading_rad: 0}
-sensors: {camera: {}}
-map:
-- {id: 1, x: 6, y: 2, z: 0.4}
-- {id: 2, x: -3, y: 5, z: 0.3}
-- {id: 3, x: 4, y: -4, z: 0.2}
-)");
+    const MarkerMap& map = kAroundOrigin;
+    Bench bench("", kGyroRobot);
     Journey journey(map, seed);
     journey.elevation = true;
     Heard heard;

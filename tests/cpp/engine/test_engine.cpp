@@ -110,8 +110,7 @@ TEST(EngineTest, TellsItsStateAtEveryTick) {
 TEST(EngineTest, TellsHowNoisyItsInputsAre) {
     for (const bool adapts : {false, true}) {
         Bench bench(adapts ? "noise: {adaptation: on}\n" : "");
-        const MarkerMap map({{1, 6, 2, 0.4, 0}, {2, 4, -4, 0, 0}});
-        Journey journey(map);
+        Journey journey(kPlainMap);
         journey.noise = 2;
         bench.run(journey.go(60, 0.2, 0.1));
         EXPECT_NEAR(bench.input("MARKERS", journey.utime).noise_scale, adapts ? 2 : 1, 0.3);

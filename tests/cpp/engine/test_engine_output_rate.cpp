@@ -8,19 +8,9 @@
 namespace pilotage::test {
 namespace {
 
-const MarkerMap kMap = markers_around_origin();
-
 /// An engine in the map of the journeys, with so many poses a second.
 Bench paced(const std::string& rate) {
-    return Bench("output: {rate_hz: " + rate + "}\n", R"(
-motion: {heading: gyro}
-initial: {x_m: 0, y_m: 0, heading_rad: 0}
-sensors: {camera: {}}
-map:
-- {id: 1, x: 6, y: 2, z: 0.4}
-- {id: 2, x: -3, y: 5, z: 0.3}
-- {id: 3, x: 4, y: -4, z: 0.2}
-)");
+    return Bench("output: {rate_hz: " + rate + "}\n", kGyroRobot);
 }
 
 void expect_steady(const Bench& bench, std::int64_t period) {
@@ -29,7 +19,7 @@ void expect_steady(const Bench& bench, std::int64_t period) {
 }
 
 /// Ticks as often as the engine asks for, between the samples.
-void run(Bench& bench, const std::vector<Sample>& samples, std::int64_t& tick_at) {
+void run_with_ticks(Bench& bench, const std::vector<Sample>& samples, std::int64_t& tick_at) {
     for (const Sample& sample : samples) {
         for (; tick_at <= sample.utime; tick_at += bench.engine().tick_period())
             bench.engine().tick(tick_at, 0);
@@ -41,10 +31,10 @@ TEST(EngineOutputRateTest, StampsGoOnByThePeriodWhateverTheMotionsRate) {
     for (const int rate : {1, 10, 20, 100, 200}) {
         SCOPED_TRACE(rate);
         Bench bench = paced(std::to_string(rate));
-        Journey journey(kMap);
+        Journey journey(kAroundOrigin);
         journey.camera = false;
         std::int64_t tick_at = 0;
-        run(bench, journey.go(10, 0.5, 0.2), tick_at);
+        run_with_ticks(bench, journey.go(10, 0.5, 0.2), tick_at);
         EXPECT_NEAR(static_cast<double>(bench.poses.size()), 10.0 * rate, 2 + 0.03 * rate);
         expect_steady(bench, 1'000'000 / rate);
         EXPECT_EQ(bench.odometry.size(), 501U) << "the odometry keeps the motion's rate";
@@ -53,10 +43,10 @@ TEST(EngineOutputRateTest, StampsGoOnByThePeriodWhateverTheMotionsRate) {
 
 TEST(EngineOutputRateTest, PosesAreThoseOfTheMotionOnItsStampsAndPredictedBetween) {
     Bench bench = paced("100"), plain = paced("0");
-    Journey journey(kMap), same(kMap);
+    Journey journey(kAroundOrigin), same(kAroundOrigin);
     journey.camera = same.camera = false;
     std::int64_t tick_at = 0;
-    run(bench, journey.go(4, 0.5, 0.2), tick_at);
+    run_with_ticks(bench, journey.go(4, 0.5, 0.2), tick_at);
     plain.run(same.go(4, 0.5, 0.2));
     ASSERT_GT(bench.poses.size(), 390U);
     int compared = 0;
@@ -76,9 +66,9 @@ TEST(EngineOutputRateTest, PosesAreThoseOfTheMotionOnItsStampsAndPredictedBetwee
 
 TEST(EngineOutputRateTest, GoesOnThroughASilenceOfTheMotionAndSaysSo) {
     Bench bench = paced("20");
-    Journey journey(kMap);
+    Journey journey(kAroundOrigin);
     std::int64_t tick_at = 0;
-    run(bench, journey.go(5, 0.3, 0.1), tick_at);
+    run_with_ticks(bench, journey.go(5, 0.3, 0.1), tick_at);
     ASSERT_EQ(bench.poses.back().status, status_t::OK);
     for (const std::int64_t end = tick_at + 20'000'000; tick_at < end;
          tick_at += bench.engine().tick_period())
@@ -102,7 +92,7 @@ TEST(EngineOutputRateTest, NothingIsPublishedBeforeTheStart) {
 
 TEST(EngineOutputRateTest, MayBeLessThanOneASecond) {
     Bench bench = paced("0.4");
-    Journey journey(kMap);
+    Journey journey(kAroundOrigin);
     bench.run(journey.go(60, 0.1, 0.2));
     EXPECT_EQ(bench.poses.size(), 25U);
     expect_steady(bench, 2'500'000);
@@ -111,7 +101,7 @@ TEST(EngineOutputRateTest, MayBeLessThanOneASecond) {
 /// A recording may hold no ticks, or those of another rate.
 TEST(EngineOutputRateTest, NeedsNoTicksInBetween) {
     Bench bench = paced("200");
-    Journey journey(kMap);
+    Journey journey(kAroundOrigin);
     bench.run(journey.go(10, 0.5, 0.2));  // ticks once a second
     expect_steady(bench, 5'000);
     EXPECT_NEAR(static_cast<double>(bench.poses.size()), 2000, 10);
@@ -120,7 +110,7 @@ TEST(EngineOutputRateTest, NeedsNoTicksInBetween) {
 /// Messages that are on their way for a while, each for another, do not disturb the pace.
 TEST(EngineOutputRateTest, DelaysDoNotDisturbThePace) {
     Bench bench = paced("50");
-    Journey journey(kMap);
+    Journey journey(kAroundOrigin);
     journey.camera = false;
     for (int i = 0; i < 500; ++i)
         for (const Sample& s : journey.go(0.02, 0.3, 0.1)) {
@@ -139,9 +129,9 @@ TEST(EngineOutputRateTest, DelaysDoNotDisturbThePace) {
 /// One jump of the clock is one pose, not a million.
 TEST(EngineOutputRateTest, AClockThatIsSetCostsNothing) {
     Bench bench = paced("100");
-    Journey journey(kMap);
+    Journey journey(kAroundOrigin);
     std::int64_t tick_at = 0;
-    run(bench, journey.go(2, 0.3, 0.1), tick_at);
+    run_with_ticks(bench, journey.go(2, 0.3, 0.1), tick_at);
     const std::size_t before = bench.poses.size();
     bench.engine().tick(tick_at + 1'000'000'000'000'000, 0);
     bench.engine().tick(tick_at - 1'000'000'000'000'000, 0);

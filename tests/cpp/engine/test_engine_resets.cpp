@@ -6,14 +6,13 @@
 namespace pilotage::test {
 namespace {
 
-const MarkerMap kMap({{1, 6, 2, 0.4, 0}, {2, 4, -4, 0, 0}});
-
 /// An engine whose status is OK, or never got there.
-struct Robot {
+struct ResetTrial {
     Bench bench;
-    Journey journey{kMap};
+    Journey journey{kPlainMap};
 
-    Robot(const std::string& accept, bool ok) : bench("pose_reset: {accept: " + accept + "}\n") {
+    ResetTrial(const std::string& accept, bool ok)
+        : bench("pose_reset: {accept: " + accept + "}\n") {
         journey.camera = ok;
         bench.run(journey.go(4, 0.1, 0.1));
         bench.wait(journey.utime);
@@ -37,7 +36,7 @@ struct Robot {
 
 TEST(EngineResetTest, AlwaysIsObeyedInAnyState) {
     for (const bool ok : {true, false}) {
-        Robot robot("always", ok);
+        ResetTrial robot("always", ok);
         const status_t status = robot.reset_to(10, -7, 42);
         EXPECT_TRUE(robot.moved_to(10, -7));
         EXPECT_EQ(status.reset_seq, 42);
@@ -49,10 +48,10 @@ TEST(EngineResetTest, AlwaysIsObeyedInAnyState) {
 }
 
 TEST(EngineResetTest, NotOkIsObeyedUnlessTheStatusIsOk) {
-    Robot lost("not_ok", false);
+    ResetTrial lost("not_ok", false);
     EXPECT_EQ(lost.reset_to(10, -7, 1).reset_answer, "accepted");
     EXPECT_TRUE(lost.moved_to(10, -7));
-    Robot sure("not_ok", true);
+    ResetTrial sure("not_ok", true);
     const status_t status = sure.reset_to(10, -7, 2);
     EXPECT_EQ(status.reset_seq, 2);
     EXPECT_EQ(status.reset_answer, "not_allowed");
@@ -63,7 +62,7 @@ TEST(EngineResetTest, NotOkIsObeyedUnlessTheStatusIsOk) {
 
 TEST(EngineResetTest, NeverIsNeverObeyed) {
     for (const bool ok : {true, false}) {
-        Robot robot("never", ok);
+        ResetTrial robot("never", ok);
         EXPECT_EQ(robot.reset_to(10, -7, 3).reset_answer, "not_allowed");
         EXPECT_FALSE(robot.moved_to(10, -7));
     }
@@ -75,7 +74,7 @@ TEST(EngineResetTest, NeverIsNeverObeyed) {
 }
 
 TEST(EngineResetTest, ABadOneIsAnsweredWithItsReason) {
-    Robot robot("always", true);
+    ResetTrial robot("always", true);
     EXPECT_EQ(robot.reset_to(NAN, 0, 4).reset_answer, "bad_value");
     EXPECT_EQ(robot.reset_to(1, 1, 5, -1).reset_answer, "bad_value");
     EXPECT_EQ(robot.reset_to(1e9, 1, 6).reset_answer, "implausible");
@@ -84,7 +83,7 @@ TEST(EngineResetTest, ABadOneIsAnsweredWithItsReason) {
 }
 
 TEST(EngineResetTest, AnOldOneIsLate) {
-    Robot robot("always", true);
+    ResetTrial robot("always", true);
     pose_reset_t old = reset(100'000, 1, 1, 0);
     old.seq = 9;
     robot.bench.send("POSE_RESET", old, robot.journey.utime);
@@ -95,7 +94,7 @@ TEST(EngineResetTest, AnOldOneIsLate) {
 
 /// Until the motion sample after it nothing is decided, and the status does not pretend it was.
 TEST(EngineResetTest, TheAnswerIsTheNewestOnes) {
-    Robot robot("always", true);
+    ResetTrial robot("always", true);
     EXPECT_EQ(robot.reset_to(10, -7, 1).reset_answer, "accepted");
     pose_reset_t next = reset(robot.journey.utime + 1, 1, 1, 0);
     next.seq = 2;

@@ -9,7 +9,7 @@
 namespace pilotage::test {
 namespace {
 
-Decoded decoded(const Bytes& bytes, Kind kind) {
+Decoded decoded_as(const Bytes& bytes, Kind kind) {
     const Codec* codec = find_codec(fingerprint_of(bytes.data(), bytes.size()));
     Decoded out;
     EXPECT_NE(codec, nullptr);
@@ -20,7 +20,7 @@ Decoded decoded(const Bytes& bytes, Kind kind) {
 }
 
 TEST(FixCodecTest, APartOfThePoseLeavesTheRestUnmeasured) {
-    const Decoded compass = decoded(bytes_of(heading(5, "compass", 1.5, 0.1, 7)), Kind::fix);
+    const Decoded compass = decoded_as(bytes_of(heading(5, "compass", 1.5, 0.1, 7)), Kind::fix);
     ASSERT_EQ(compass.samples.size(), 1U);
     EXPECT_EQ(compass.sensor, "compass");
     EXPECT_EQ(compass.samples[0].stream, Stream::fix);
@@ -33,7 +33,7 @@ TEST(FixCodecTest, APartOfThePoseLeavesTheRestUnmeasured) {
 
     position_fix_t message = position_fix(5, "gps", 1, 2);
     for (int i = 0; i < 4; ++i) message.covariance[i] = i;
-    const Fix p = decoded(bytes_of(message), Kind::fix).samples.at(0).payload.fix;
+    const Fix p = decoded_as(bytes_of(message), Kind::fix).samples.at(0).payload.fix;
     EXPECT_EQ(p.value[0], 1);
     EXPECT_EQ(p.value[1], 2);
     EXPECT_TRUE(std::isnan(p.value[2]));
@@ -45,7 +45,7 @@ TEST(FixCodecTest, APartOfThePoseLeavesTheRestUnmeasured) {
 TEST(FixCodecTest, APoseComesWhole) {
     pose_fix_t message = pose_fix(5, "dock", 1, 2, 3);
     for (int i = 0; i < 9; ++i) message.covariance[i] = i;
-    const Fix f = decoded(bytes_of(message), Kind::fix).samples.at(0).payload.fix;
+    const Fix f = decoded_as(bytes_of(message), Kind::fix).samples.at(0).payload.fix;
     for (int i = 0; i < 3; ++i) EXPECT_EQ(f.value[i], i + 1);
     const double lower[] = {0, 3, 4, 6, 7, 8};
     for (int i = 0; i < 6; ++i) EXPECT_EQ(f.covariance[i], lower[i]);
@@ -53,12 +53,12 @@ TEST(FixCodecTest, APoseComesWhole) {
 
 TEST(FixCodecTest, ANegativeSigmaStaysOne) {
     const Fix f =
-        decoded(bytes_of(heading(0, "compass", 0, -0.1)), Kind::fix).samples.at(0).payload.fix;
+        decoded_as(bytes_of(heading(0, "compass", 0, -0.1)), Kind::fix).samples.at(0).payload.fix;
     EXPECT_LT(f.covariance[5], 0);
 }
 
 TEST(FixCodecTest, ABeamThatHitNothingIsNone) {
-    const Decoded out = decoded(
+    const Decoded out = decoded_as(
         bytes_of(wall_ranges(3, "laser", {0, 0.1, 0.2}, {1, NAN, 2}, 0.05, 9)), Kind::walls);
     ASSERT_EQ(out.samples.size(), 2U);
     EXPECT_EQ(out.sensor, "laser");

@@ -9,8 +9,6 @@ namespace {
 
 constexpr double kOff_s = 11;
 
-const MarkerMap kMap = markers_around_origin();
-
 std::string robot(const std::string& heading = "gyro", const std::string& source = "encoders",
                   const std::string& camera = "{}") {
     return "motion: {heading: " + heading + ", source: " + source + R"(}
@@ -26,7 +24,7 @@ map:
 
 /// A robot in the circle that it drives, and its engine.
 struct Trial {
-    Journey journey{kMap};
+    Journey journey{kAroundOrigin};
     Bench bench;
 
     explicit Trial(const std::string& config = robot()) : bench("", config) {}
@@ -163,10 +161,10 @@ TEST(FusionLogicTest, AnyComponentsOfTheMarkersConfirmAndAreMissed) {
 }
 
 /// The robot is set down elsewhere: the sightings jump by so much.
-struct Jump : Trial {
+struct JumpTrial : Trial {
     int wrong_and_ok = 0;  ///< tenths of a second
 
-    explicit Jump(double metres) {
+    explicit JumpTrial(double metres) {
         go(11);
         EXPECT_EQ(state(), status_t::OK);
         journey.truth[kX] += metres;
@@ -182,7 +180,7 @@ struct Jump : Trial {
 TEST(FusionLogicTest, AJumpIsNotOkUntilItIsFollowedAndAnnounced) {
     for (const double metres : {1.0, 2.0, 3.0, 5.0, 7.0, 10.0}) {
         SCOPED_TRACE(metres);
-        Jump t(metres);
+        JumpTrial t(metres);
         EXPECT_LE(t.wrong_and_ok, 5);
         EXPECT_EQ(t.state(), status_t::OK) << t.status().reason;
         EXPECT_TRUE(same_pose(t.pose(), t.journey.truth, 0.3));
@@ -194,7 +192,7 @@ TEST(FusionLogicTest, AJumpIsNotOkUntilItIsFollowedAndAnnounced) {
 
 /// Farther than the robot itself can find, it knows that it is lost, until a reset tells it more.
 TEST(FusionLogicTest, AJumpOfTwentyMetresIsLostAndMendedByAReset) {
-    Jump t(20);
+    JumpTrial t(20);
     EXPECT_LE(t.wrong_and_ok, 5);
     if (t.state() != status_t::OK) {
         EXPECT_EQ(t.state(), status_t::LOST);

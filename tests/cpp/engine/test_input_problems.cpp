@@ -6,13 +6,13 @@
 
 #include <cmath>
 
+#include "support/units.hpp"
+
 namespace pilotage::test {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
-
 /// An input with its sender: fifty messages a second, a review every second.
-struct Sender {
+struct InputSender {
     Input input;
     std::int64_t now = 100 * kSecond, off = 0;
     std::int32_t seq = 0;
@@ -21,7 +21,7 @@ struct Sender {
     bool standing = false, needed = true;
     std::int64_t stood_at = 0;
 
-    explicit Sender(Kind kind = Kind::encoders, TimePolicy time = TimePolicy::utime)
+    explicit InputSender(Kind kind = Kind::encoders, TimePolicy time = TimePolicy::utime)
         : input("it", {"CHANNEL", time, 0}, kind, kind == Kind::frame ? 0 : -1) {}
 
     void send() {
@@ -52,7 +52,7 @@ bool begins(const std::string& text, const std::string& with) {
 
 TEST(InputProblemTest, AHealthyInputHasNone) {
     for (const TimePolicy time : {TimePolicy::utime, TimePolicy::receive, TimePolicy::mapped}) {
-        Sender sender(Kind::encoders, time);
+        InputSender sender(Kind::encoders, time);
         EXPECT_EQ(sender.input.review(sender.now, true), "") << "not yet heard of is no problem";
         EXPECT_EQ(sender.go(100), "");
         EXPECT_EQ(sender.input.status(sender.now).problem, "");
@@ -60,7 +60,7 @@ TEST(InputProblemTest, AHealthyInputHasNone) {
 }
 
 TEST(InputProblemTest, SilenceIsOneWhereItIsNeededAndEndsWithAMessage) {
-    Sender sender;
+    InputSender sender;
     sender.go();
     EXPECT_EQ(sender.wait(0.5), "");
     EXPECT_EQ(sender.wait(0.6), "silent for 1.1 s");
@@ -72,7 +72,7 @@ TEST(InputProblemTest, SilenceIsOneWhereItIsNeededAndEndsWithAMessage) {
 }
 
 TEST(InputProblemTest, ASlowSenderIsNotSilentBetweenItsMessages) {
-    Sender sender;
+    InputSender sender;
     for (int i = 0; i < 20; ++i) {
         sender.now += kSecond;
         sender.send();
@@ -84,7 +84,7 @@ TEST(InputProblemTest, ASlowSenderIsNotSilentBetweenItsMessages) {
 }
 
 TEST(InputProblemTest, RejectionsAreNamedWithTheirCount) {
-    Sender sender(Kind::frame);
+    InputSender sender(Kind::frame);
     sender.go();
     sender.verdict = Verdict::unknown_marker;
     EXPECT_EQ(sender.go(), "50 of 50 rejected: unknown_marker");
@@ -98,7 +98,7 @@ TEST(InputProblemTest, RejectionsAreNamedWithTheirCount) {
 }
 
 TEST(InputProblemTest, TheMostFrequentReasonIsNamed) {
-    Sender sender(Kind::frame);
+    InputSender sender(Kind::frame);
     sender.go();
     for (int i = 0; i < 30; ++i) {
         sender.verdict = i % 3 == 0 ? Verdict::late : Verdict::gate;
@@ -110,7 +110,7 @@ TEST(InputProblemTest, TheMostFrequentReasonIsNamed) {
 TEST(InputProblemTest, AJumpOfTheStampsIsNamedAndThenThatTheClockWasSet) {
     for (const double jump : {10.0, -10.0}) {
         SCOPED_TRACE(jump);
-        Sender sender;
+        InputSender sender;
         sender.go();
         sender.off -= static_cast<std::int64_t>(jump * kSecond);
         const std::string size = jump > 0 ? "10.000 s" : "-10.000 s";
@@ -124,7 +124,7 @@ TEST(InputProblemTest, AJumpOfTheStampsIsNamedAndThenThatTheClockWasSet) {
 }
 
 TEST(InputProblemTest, ByArrivalNoClockMatters) {
-    Sender sender(Kind::encoders, TimePolicy::receive);
+    InputSender sender(Kind::encoders, TimePolicy::receive);
     sender.go();
     sender.off = -10 * kSecond;
     EXPECT_EQ(sender.go(1), "");
@@ -133,7 +133,7 @@ TEST(InputProblemTest, ByArrivalNoClockMatters) {
 }
 
 TEST(InputProblemTest, AStandingStampIsNamed) {
-    Sender sender;
+    InputSender sender;
     sender.go();
     sender.standing = true;
     EXPECT_TRUE(begins(sender.go(2), "the stamp has stood still for 2.0 s"))
@@ -141,7 +141,7 @@ TEST(InputProblemTest, AStandingStampIsNamed) {
 }
 
 TEST(InputProblemTest, RepeatedStampsAreNamed) {
-    Sender sender;
+    InputSender sender;
     sender.go();
     for (int i = 0; i < 50; ++i) {
         sender.standing = i % 10 == 9;
@@ -154,7 +154,7 @@ TEST(InputProblemTest, RepeatedStampsAreNamed) {
 
 TEST(InputProblemTest, AClockThatRunsFastOrSlowIsNamed) {
     for (const double ppm : {2000.0, -2000.0}) {
-        Sender sender;
+        InputSender sender;
         sender.speed = 1 + 1e-6 * ppm;
         EXPECT_EQ(sender.go(20), "") << "too early to tell";
         const std::string problem = sender.go(60);
@@ -162,14 +162,14 @@ TEST(InputProblemTest, AClockThatRunsFastOrSlowIsNamed) {
         EXPECT_NE(problem.find(ppm > 0 ? "ppm fast" : "ppm slow"), std::string::npos) << problem;
         EXPECT_NEAR(std::stod(problem.substr(15)), 2000, 100) << problem;
     }
-    Sender usual;
+    InputSender usual;
     usual.speed = 1 + 50e-6;
     EXPECT_EQ(usual.go(100), "") << "50 ppm every quartz has";
 }
 
 /// Sightings of several markers, of which some contradict.
 std::string after_sightings(double bad_share, int bad_marker = 0) {
-    Sender sender(Kind::frame);
+    InputSender sender(Kind::frame);
     sender.go();
     SightingReport report{};
     double owed = 0;
@@ -199,7 +199,7 @@ TEST(InputProblemTest, OneMarkerThatContradictsIsNamed) {
 
 /// Sightings that were not held against the pose say nothing of it.
 TEST(InputProblemTest, RejectedSightingsAreNoContradiction) {
-    Sender sender(Kind::frame);
+    InputSender sender(Kind::frame);
     sender.go();
     SightingReport report{};
     report.verdict = Verdict::unknown_marker;
@@ -208,7 +208,7 @@ TEST(InputProblemTest, RejectedSightingsAreNoContradiction) {
 }
 
 TEST(InputProblemTest, LostMessagesAreNamed) {
-    Sender sender;
+    InputSender sender;
     sender.go();
     for (int i = 0; i < 50; ++i) {
         if (i % 5 == 0) ++sender.seq;
@@ -219,7 +219,7 @@ TEST(InputProblemTest, LostMessagesAreNamed) {
 }
 
 TEST(InputProblemTest, ARateFarBelowTheUsualOneIsNamed) {
-    Sender sender;
+    InputSender sender;
     sender.go(60);
     for (int i = 0; i < 50; ++i) {
         sender.now += 80'000;  // 10 Hz instead of 50

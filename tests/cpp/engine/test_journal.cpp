@@ -7,10 +7,12 @@
 
 #include <vector>
 
+#include "support/units.hpp"
+
 namespace pilotage::test {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000, kMinute = 60 * kSecond;
+constexpr std::int64_t kMinute = 60 * kSecond;
 
 struct Reader {
     Journal journal;

@@ -11,7 +11,7 @@
 namespace pilotage::test {
 namespace {
 
-std::string said(const std::string& yaml) {
+std::string map_error(const std::string& yaml) {
     const Folder folder;
     const std::string path = folder.write("map.yaml", yaml);
     std::string error = complaint<ConfigError>([&] { (void)load_map(path); });
@@ -20,36 +20,37 @@ std::string said(const std::string& yaml) {
 }
 
 TEST(MapFileTest, ReadsAMarkerALine) {
-    EXPECT_EQ(said("- {id: 1, x: 2, y: 3}\n- id: 2\n  x: 1.5e1\n  y: -3\n  z: 0.5\n  sigma: 0\n"),
-              "");
+    EXPECT_EQ(
+        map_error("- {id: 1, x: 2, y: 3}\n- id: 2\n  x: 1.5e1\n  y: -3\n  z: 0.5\n  sigma: 0\n"),
+        "");
 }
 
 TEST(MapFileTest, AnEmptyMapIsOfNoUse) {
     const std::string none = "map.yaml: the map has no marker; at least one is needed";
-    EXPECT_EQ(said("[]\n"), none);
-    EXPECT_NE(said(""), "");
+    EXPECT_EQ(map_error("[]\n"), none);
+    EXPECT_NE(map_error(""), "");
     EXPECT_NE(complaint<ConfigError>([] { (void)parse_config("map: []\n", "c", ""); }), "");
     EXPECT_NE(complaint<ConfigError>([] { (void)parse_config("map: {}\n", "c", ""); }), "");
     EXPECT_NE(complaint<ConfigError>([] { (void)parse_config("map:\n", "c", ""); }), "");
 }
 
 TEST(MapFileTest, AnIdThatComesTwiceIsNamedWithItsLine) {
-    EXPECT_EQ(said("- {id: 1, x: 2, y: 3}\n- {id: 4, x: 2, y: 3}\n- {id: 1, x: 5, y: 6}\n"),
+    EXPECT_EQ(map_error("- {id: 1, x: 2, y: 3}\n- {id: 4, x: 2, y: 3}\n- {id: 1, x: 5, y: 6}\n"),
               "map.yaml:3: marker id 1 comes twice");
 }
 
 TEST(MapFileTest, AnIdIsAWholeNumberThatFits) {
     for (const char* id : {"-1", "1.5", "2147483648", "1e20"})
         EXPECT_EQ(
-            said(std::string("- {id: ") + id + ", x: 0, y: 0}\n"),
+            map_error(std::string("- {id: ") + id + ", x: 0, y: 0}\n"),
             std::string("map.yaml:1: id is '") + id + "', expected a whole number of 0 or more");
-    EXPECT_EQ(said("- {id: 2147483647, x: 0, y: 0}\n"), "");
+    EXPECT_EQ(map_error("- {id: 2147483647, x: 0, y: 0}\n"), "");
 }
 
 TEST(MapFileTest, ALabelIsAWholeNumberThatSurvivesSavingAndLoading) {
-    EXPECT_EQ(said("- {id: 1, x: 0, y: 0, label: -1}\n"),
+    EXPECT_EQ(map_error("- {id: 1, x: 0, y: 0, label: -1}\n"),
               "map.yaml:1: label is '-1', expected a whole number of 0 or more");
-    EXPECT_EQ(said("- {id: 1, x: 0, y: 0, label: red}\n"),
+    EXPECT_EQ(map_error("- {id: 1, x: 0, y: 0, label: red}\n"),
               "map.yaml:1: label is 'red', expected a finite number");
     const Folder folder;
     const std::string path = folder.path("map.yaml");
@@ -61,24 +62,24 @@ TEST(MapFileTest, ALabelIsAWholeNumberThatSurvivesSavingAndLoading) {
 
 TEST(MapFileTest, ACoordinateIsAFiniteNumber) {
     for (const char* bad : {".nan", ".inf", "-.inf", "here", "''", "1 2", "1e999"})
-        EXPECT_EQ(said(std::string("- {id: 1, x: 1, y: 2}\n- {id: 2, x: ") + bad + ", y: 0}\n")
+        EXPECT_EQ(map_error(std::string("- {id: 1, x: 1, y: 2}\n- {id: 2, x: ") + bad + ", y: 0}\n")
                       .substr(0, 18),
                   "map.yaml:2: x is '")
             << bad;
-    EXPECT_NE(said("- {id: 1, x: [1], y: 0}\n"), "");
-    EXPECT_NE(said("- {id: 1, x: , y: 0}\n"), "");
+    EXPECT_NE(map_error("- {id: 1, x: [1], y: 0}\n"), "");
+    EXPECT_NE(map_error("- {id: 1, x: , y: 0}\n"), "");
 }
 
 TEST(MapFileTest, AMarkerHasAnIdAndAPlaceAndNothingUnknown) {
-    EXPECT_EQ(said("- {id: 1, x: 2, y: 3}\n- {x: 2, y: 3}\n"),
+    EXPECT_EQ(map_error("- {id: 1, x: 2, y: 3}\n- {x: 2, y: 3}\n"),
               "map.yaml:2: a marker needs id, x and y");
-    EXPECT_EQ(said("- {id: 1, y: 3}\n"), "map.yaml:1: a marker needs id, x and y");
-    EXPECT_EQ(said("- {id: 1, x: 2, y: 3, height: 4}\n"),
+    EXPECT_EQ(map_error("- {id: 1, y: 3}\n"), "map.yaml:1: a marker needs id, x and y");
+    EXPECT_EQ(map_error("- {id: 1, x: 2, y: 3, height: 4}\n"),
               "map.yaml:1: unknown key 'height' in a marker; known: id, x, y, z, sigma, label");
-    EXPECT_EQ(said("- {id: 1, x: 2, y: 3, sigma: -0.1}\n"),
+    EXPECT_EQ(map_error("- {id: 1, x: 2, y: 3, sigma: -0.1}\n"),
               "map.yaml:1: sigma is '-0.1', expected 0 or more");
-    EXPECT_EQ(said("- 5\n").substr(0, 35), "map.yaml:1: a marker is written {id");
-    EXPECT_EQ(said("id: 1\nx: 2\n").substr(0, 35), "map.yaml:1: a map is a list of mark");
+    EXPECT_EQ(map_error("- 5\n").substr(0, 35), "map.yaml:1: a marker is written {id");
+    EXPECT_EQ(map_error("id: 1\nx: 2\n").substr(0, 35), "map.yaml:1: a map is a list of mark");
 }
 
 TEST(MapFileTest, AMapMadeInMemoryIsCheckedAsWell) {

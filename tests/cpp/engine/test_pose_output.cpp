@@ -10,19 +10,6 @@
 namespace pilotage::test {
 namespace {
 
-const MarkerMap kMap = markers_around_origin();
-
-/// No camera, so that only what a test does moves the pose.
-constexpr const char* kMapLines = R"(
-motion: {heading: gyro}
-initial: {x_m: 0, y_m: 0, heading_rad: 0}
-sensors: {camera: {}}
-map:
-- {id: 1, x: 6, y: 2, z: 0.4}
-- {id: 2, x: -3, y: 5, z: 0.3}
-- {id: 3, x: 4, y: -4, z: 0.2}
-)";
-
 Pose<double> pose_of(const odometry_t& o) {
     return {o.x, o.y, o.heading};
 }
@@ -39,8 +26,8 @@ void expect_smooth(const Bench& bench, double tolerance = 1e-9) {
 }
 
 TEST(PoseOutputTest, OdometryIsTheArcThatWasDriven) {
-    Bench bench("", kMapLines);
-    Journey journey(kMap);
+    Bench bench("", kGyroRobot);
+    Journey journey(kAroundOrigin);
     bench.run(journey.go(3, 0.5, 0.3));
     bench.run(journey.go(3, -0.2, -0.8));
     bench.run(journey.go(2));
@@ -53,8 +40,8 @@ TEST(PoseOutputTest, OdometryIsTheArcThatWasDriven) {
 }
 
 TEST(PoseOutputTest, NeitherCorrectionsNorResetsNorLateSamplesMoveTheOdometry) {
-    Bench bench("", kMapLines);
-    Journey journey(kMap);
+    Bench bench("", kGyroRobot);
+    Journey journey(kAroundOrigin);
     bench.run(journey.go(5, 0.4, 0.2));
     std::vector<Sample> samples = journey.go(3, 0.4, 0.2);
     // Sightings come 0.7 s late, each tenth gyro sample 0.1 s.
@@ -87,8 +74,8 @@ TEST(PoseOutputTest, NeitherCorrectionsNorResetsNorLateSamplesMoveTheOdometry) {
 }
 
 TEST(PoseOutputTest, ACounterResetIsNoMotion) {
-    Bench bench("", kMapLines);
-    Journey journey(kMap);
+    Bench bench("", kGyroRobot);
+    Journey journey(kAroundOrigin);
     journey.camera = false;
     bench.run(journey.go(30, 0.9, 0));
     journey.reset_ticks();
@@ -100,7 +87,8 @@ TEST(PoseOutputTest, ACounterResetIsNoMotion) {
     EXPECT_NEAR(bench.odometry.back().x, 31 * 0.9, 0.05);
 }
 
-Estimate at(std::int64_t utime, const Pose<double>& pose, double distance = 0, double turn = 0) {
+Estimate estimate_at(std::int64_t utime, const Pose<double>& pose, double distance = 0,
+                     double turn = 0) {
     Estimate e;
     e.utime = utime;
     e.pose = pose;
@@ -110,16 +98,16 @@ Estimate at(std::int64_t utime, const Pose<double>& pose, double distance = 0, d
 
 TEST(PoseOutputTest, OnlyWhatTheRobotDidNotDriveIsAJump) {
     PoseOutput output(0, 0.3, 0.15);
-    EXPECT_FALSE(output.follow(at(0, {5, 5, 1}))) << "the first pose comes from nowhere";
-    EXPECT_FALSE(output.follow(at(1, after_arc({5, 5, 1}, 2, 1), 2, 1))) << "driven";
-    EXPECT_FALSE(output.follow(at(2, after_arc({5, 5, 1}, 2, 1))));
+    EXPECT_FALSE(output.follow(estimate_at(0, {5, 5, 1}))) << "the first pose comes from nowhere";
+    EXPECT_FALSE(output.follow(estimate_at(1, after_arc({5, 5, 1}, 2, 1), 2, 1))) << "driven";
+    EXPECT_FALSE(output.follow(estimate_at(2, after_arc({5, 5, 1}, 2, 1))));
     EXPECT_EQ(output.resets(), 0);
-    const std::optional<Jump> back = output.follow(at(3, {5, 5, 1}));
+    const std::optional<Jump> back = output.follow(estimate_at(3, {5, 5, 1}));
     ASSERT_TRUE(back);
     EXPECT_STREQ(back->cause, "correction");
     EXPECT_TRUE(same_pose(back->before, after_arc({5, 5, 1}, 2, 1), 1e-12));
     EXPECT_TRUE(same_pose(back->after, Pose<double>(5, 5, 1), 0));
-    EXPECT_FALSE(output.follow(at(4, {5, 5, 1}))) << "told once";
+    EXPECT_FALSE(output.follow(estimate_at(4, {5, 5, 1}))) << "told once";
     EXPECT_EQ(output.resets(), 1);
     EXPECT_TRUE(same_pose(output.odometry(), after_arc({0, 0, 0}, 2, 1), 1e-12));
 }
@@ -132,18 +120,19 @@ TEST(PoseOutputTest, AJumpIsBeyondTheLimitInPositionOrHeading) {
                  {Pose<double>(0.3, 0, 0), Pose<double>(0, -0.3, 0), Pose<double>(0.18, 0.24, 0),
                   Pose<double>(0, 0, 0.15), Pose<double>(0, 0, -0.15)}) {
                 PoseOutput output(0, 0.3, 0.15);
-                (void)output.follow(at(0, start));
+                (void)output.follow(estimate_at(0, start));
                 Pose<double> to = start + size * off;
                 to[kHeading] = wrap(to[kHeading]);
-                EXPECT_EQ(output.follow(at(1, to)).has_value(), size > 1) << to.transpose();
+                EXPECT_EQ(output.follow(estimate_at(1, to)).has_value(), size > 1)
+                    << to.transpose();
             }
     }
 }
 
 TEST(PoseOutputTest, AResetIsToldAsOneHoweverSmall) {
     PoseOutput output(0, 0.3, 0.15);
-    (void)output.follow(at(0, {0, 0, 0}));
-    Estimate e = at(1, {0.01, 0, 0});
+    (void)output.follow(estimate_at(0, {0, 0, 0}));
+    Estimate e = estimate_at(1, {0.01, 0, 0});
     e.resets = 1;
     const std::optional<Jump> reset = output.follow(e);
     ASSERT_TRUE(reset);
@@ -159,8 +148,8 @@ TEST(PoseOutputTest, AResetIsToldAsOneHoweverSmall) {
 /// A correction that creeps in small steps is no jump.
 TEST(PoseOutputTest, ASlowCorrectionIsNone) {
     PoseOutput output(0, 0.3, 0.15);
-    (void)output.follow(at(0, {0, 0, 0}));
-    for (int i = 1; i <= 100; ++i) EXPECT_FALSE(output.follow(at(i, {0.29 * i, 0, 0})));
+    (void)output.follow(estimate_at(0, {0, 0, 0}));
+    for (int i = 1; i <= 100; ++i) EXPECT_FALSE(output.follow(estimate_at(i, {0.29 * i, 0, 0})));
 }
 
 }  // namespace

@@ -7,16 +7,19 @@
 #include <cmath>
 #include <limits>
 
+#include "support/units.hpp"
+
 namespace pilotage::test {
 namespace {
 
 using Stamp = SenderClock::Stamp;
 
-constexpr std::int64_t kSecond = 1'000'000, kPeriod = 20'000;
 constexpr std::int64_t kOff = 1'234'567'890;  // of the sender's clock behind ours
 
 /// A sender of 50 messages a second.
-struct Sender {
+struct ClockSender {
+    static constexpr std::int64_t kPeriod = 20'000;
+
     SenderClock clock;
     std::int64_t now = 10 * kSecond, delay = 1000, off = kOff;
     std::int32_t seq = 0;
@@ -41,7 +44,7 @@ struct Sender {
 
 TEST(SenderClockTest, HealthyStampsAreGoodWhateverTheOffset) {
     for (const std::int64_t off : {std::int64_t{0}, kOff, -kOff, std::int64_t{1} << 55}) {
-        Sender sender;
+        ClockSender sender;
         sender.off = off;
         EXPECT_EQ(sender.run(100), 5000);
         EXPECT_EQ(sender.clock.offset_us(), off + 1000);
@@ -71,7 +74,7 @@ TEST(SenderClockTest, AJumpAheadIsToldHoweverRareTheMessages) {
 }
 
 TEST(SenderClockTest, DelaysOfAnyTwoSecondsAreGood) {
-    Sender sender;
+    ClockSender sender;
     for (int i = 0; i < 5000; ++i) {
         sender.delay = 1000 + (i * 7919LL) % (2 * kSecond);
         EXPECT_EQ(sender.send(), Stamp::good) << "message " << i;
@@ -79,7 +82,7 @@ TEST(SenderClockTest, DelaysOfAnyTwoSecondsAreGood) {
 }
 
 TEST(SenderClockTest, AForwardJumpIsHeldBackForASecondAndThenFollowed) {
-    Sender sender;
+    ClockSender sender;
     sender.run(5);
     sender.off -= 10 * kSecond;
     EXPECT_EQ(sender.run(1, Stamp::jumped), 50);
@@ -93,7 +96,7 @@ TEST(SenderClockTest, AForwardJumpIsHeldBackForASecondAndThenFollowed) {
 
 TEST(SenderClockTest, ABackwardJumpIsHeldBackAndThenFollowed) {
     for (const std::int64_t jump : {kSecond / 2, 2 * kSecond, 10 * kSecond, 3600 * kSecond}) {
-        Sender sender;
+        ClockSender sender;
         sender.run(5);
         sender.off += jump;
         EXPECT_EQ(sender.run(1, Stamp::jumped), 50) << jump;
@@ -105,7 +108,7 @@ TEST(SenderClockTest, ABackwardJumpIsHeldBackAndThenFollowed) {
 }
 
 TEST(SenderClockTest, SingleWildStampsAreHeldBackAndLeaveNothing) {
-    Sender sender;
+    ClockSender sender;
     sender.run(5);
     for (const std::int64_t wild : {10 * kSecond, -10 * kSecond, 3600 * kSecond, kSecond / 2}) {
         EXPECT_EQ(sender.send(sender.stamp() + wild), Stamp::jumped) << wild;
@@ -117,7 +120,7 @@ TEST(SenderClockTest, SingleWildStampsAreHeldBackAndLeaveNothing) {
 
 /// Every third stamp is from another world, for a minute.
 TEST(SenderClockTest, OftenWildStampsAreNeverFollowed) {
-    Sender sender;
+    ClockSender sender;
     sender.run(5);
     for (int i = 0; i < 3000; ++i) {
         const bool wild = i % 3 == 0;
@@ -130,7 +133,7 @@ TEST(SenderClockTest, OftenWildStampsAreNeverFollowed) {
 /// A delay that stays looks like a clock set back, but seq and stamps go on.
 TEST(SenderClockTest, AConstantDelayFromNowOnIsNoJump) {
     for (const std::int64_t delay : {kSecond / 5, kSecond / 2, 2 * kSecond}) {
-        Sender sender;
+        ClockSender sender;
         sender.run(5);
         sender.now += delay;  // nothing came meanwhile
         sender.off += delay;
@@ -142,7 +145,7 @@ TEST(SenderClockTest, AConstantDelayFromNowOnIsNoJump) {
 
 /// Messages overtake each other on the way: that their seq goes back with the stamp excuses them.
 TEST(SenderClockTest, AMessageThatWasOvertakenIsGood) {
-    Sender sender;
+    ClockSender sender;
     sender.run(5);
     const std::int64_t utime = sender.stamp();
     const std::int32_t seq = sender.seq;
@@ -154,12 +157,12 @@ TEST(SenderClockTest, AMessageThatWasOvertakenIsGood) {
 }
 
 TEST(SenderClockTest, AStandingStampIsMeasured) {
-    Sender sender;
+    ClockSender sender;
     sender.run(5);
     EXPECT_EQ(sender.clock.still_us(), 0);
     const std::int64_t stuck = sender.stamp();
     for (int i = 0; i < 100; ++i) (void)sender.send(stuck);
-    EXPECT_NEAR(static_cast<double>(sender.clock.still_us()), 2e6, 2.0 * kPeriod);
+    EXPECT_NEAR(static_cast<double>(sender.clock.still_us()), 2e6, 2.0 * ClockSender::kPeriod);
     EXPECT_EQ(sender.clock.repeated(), 99);
     EXPECT_EQ(sender.clock.steps(), 0);
     (void)sender.send();
@@ -167,7 +170,7 @@ TEST(SenderClockTest, AStandingStampIsMeasured) {
 }
 
 TEST(SenderClockTest, RepeatsAreCounted) {
-    Sender sender;
+    ClockSender sender;
     for (int i = 0; i < 100; ++i) {
         const std::int64_t utime = sender.stamp();
         (void)sender.send(utime);
@@ -179,7 +182,7 @@ TEST(SenderClockTest, RepeatsAreCounted) {
 
 TEST(SenderClockTest, SkewIsMeasuredAndNoJump) {
     for (const double ppm : {50.0, -50.0, 2000.0, -2000.0}) {
-        Sender sender;
+        ClockSender sender;
         sender.fast_ppm = ppm;
         EXPECT_TRUE(std::isnan(sender.clock.skew_ppm()));
         EXPECT_EQ(sender.run(10), 500);
@@ -192,13 +195,13 @@ TEST(SenderClockTest, SkewIsMeasuredAndNoJump) {
 
 /// Before anything is known of a sender it is believed.
 TEST(SenderClockTest, TheFirstSecondIsGood) {
-    Sender sender;
+    ClockSender sender;
     EXPECT_EQ(sender.send(sender.stamp() + 100 * kSecond), Stamp::good);
     EXPECT_EQ(sender.run(0.9), 45);
 }
 
 TEST(SenderClockTest, StampsOfNoClockAreNeverGood) {
-    Sender sender;
+    ClockSender sender;
     sender.run(5);
     for (const std::int64_t utime :
          {std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()})

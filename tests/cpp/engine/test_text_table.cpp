@@ -15,13 +15,13 @@
 namespace pilotage::test {
 namespace {
 
-std::vector<double> read(const std::string& text, const std::vector<int>& columns) {
+std::vector<double> columns_of(const std::string& text, const std::vector<int>& columns) {
     const Folder folder;
     return read_table(folder.write("table.txt", text), columns);
 }
 
 /// What reading complains about, without the folder.
-std::string said(const std::string& text, const std::vector<int>& columns = {0}) {
+std::string table_error(const std::string& text, const std::vector<int>& columns = {0}) {
     const Folder folder;
     const std::string path = folder.write("table.txt", text);
     const std::string error =
@@ -30,48 +30,49 @@ std::string said(const std::string& text, const std::vector<int>& columns = {0})
 }
 
 TEST(ReadTableTest, TakesTheColumnsThatAreAskedForInTheirOrder) {
-    EXPECT_EQ(read("1 2 3\n4 5 6\n", {2, 0}), (std::vector<double>{3, 1, 6, 4}));
-    EXPECT_EQ(read("1 2 3\n4 5 6\n", {1, 1}), (std::vector<double>{2, 2, 5, 5}));
+    EXPECT_EQ(columns_of("1 2 3\n4 5 6\n", {2, 0}), (std::vector<double>{3, 1, 6, 4}));
+    EXPECT_EQ(columns_of("1 2 3\n4 5 6\n", {1, 1}), (std::vector<double>{2, 2, 5, 5}));
 }
 
 TEST(ReadTableTest, TakesBlanksTabsCommasAndLineEndsOfEveryKind) {
-    EXPECT_EQ(read("  1\t2,3  \r\n\r\n4, 5 ,6", {0, 1, 2}),
+    EXPECT_EQ(columns_of("  1\t2,3  \r\n\r\n4, 5 ,6", {0, 1, 2}),
               (std::vector<double>{1, 2, 3, 4, 5, 6}));
 }
 
 TEST(ReadTableTest, PassesOverCommentsAndEmptyLines) {
-    EXPECT_EQ(read("# x y\n% Matlab's\n\n   \n1 2 # here\n3 4 % and here\n", {0, 1}),
+    EXPECT_EQ(columns_of("# x y\n% Matlab's\n\n   \n1 2 # here\n3 4 % and here\n", {0, 1}),
               (std::vector<double>{1, 2, 3, 4}));
-    EXPECT_TRUE(read("", {0}).empty());
-    EXPECT_TRUE(read("# nothing\n", {0}).empty());
+    EXPECT_TRUE(columns_of("", {0}).empty());
+    EXPECT_TRUE(columns_of("# nothing\n", {0}).empty());
 }
 
 TEST(ReadTableTest, ReadsNumbersAsTheyAreWritten) {
-    EXPECT_EQ(read("-1.5 +2 1e3 1E-2 .5 -0 1e+2\n", {0, 1, 2, 3, 4, 6}),
+    EXPECT_EQ(columns_of("-1.5 +2 1e3 1E-2 .5 -0 1e+2\n", {0, 1, 2, 3, 4, 6}),
               (std::vector<double>{-1.5, 2, 1000, 0.01, 0.5, 100}));
-    EXPECT_TRUE(std::isnan(read("nan\n", {0})[0]));
-    EXPECT_EQ(read("-inf\n", {0})[0], -std::numeric_limits<double>::infinity());
+    EXPECT_TRUE(std::isnan(columns_of("nan\n", {0})[0]));
+    EXPECT_EQ(columns_of("-inf\n", {0})[0], -std::numeric_limits<double>::infinity());
 }
 
 TEST(ReadTableTest, NamesFileAndLineOfARaggedRow) {
-    EXPECT_EQ(said("# head\n1 2 3\n\n4 5\n"),
+    EXPECT_EQ(table_error("# head\n1 2 3\n\n4 5\n"),
               "table.txt:4: has 2 columns, the rows before it have 3");
-    EXPECT_EQ(said("1 2\n3 4 5\n"), "table.txt:2: has 3 columns, the rows before it have 2");
+    EXPECT_EQ(table_error("1 2\n3 4 5\n"), "table.txt:2: has 3 columns, the rows before it have 2");
 }
 
 TEST(ReadTableTest, NamesWhatIsNoNumber) {
-    EXPECT_EQ(said("1 2\n3 four 5\n"), "table.txt:2: 'four' is not a number");
-    EXPECT_EQ(said("1 2\n3 4x\n"), "table.txt:2: '4x' is not a number");
-    EXPECT_EQ(said("1;2\n"), "table.txt:1: '1;2' is not a number");
-    EXPECT_EQ(said("1e999\n"), "table.txt:1: '1e999' is not a number");
+    EXPECT_EQ(table_error("1 2\n3 four 5\n"), "table.txt:2: 'four' is not a number");
+    EXPECT_EQ(table_error("1 2\n3 4x\n"), "table.txt:2: '4x' is not a number");
+    EXPECT_EQ(table_error("1;2\n"), "table.txt:1: '1;2' is not a number");
+    EXPECT_EQ(table_error("1e999\n"), "table.txt:1: '1e999' is not a number");
     for (const char* bad : {"+", "+-1", "-", "0x10", "1,5e", "--1", "1.2.3"})
-        EXPECT_NE(said(std::string(bad) + "\n").find("table.txt:1: '"), std::string::npos) << bad;
-    EXPECT_NE(said(std::string("1 \0 2\n", 6)), "") << "a binary file";
+        EXPECT_NE(table_error(std::string(bad) + "\n").find("table.txt:1: '"), std::string::npos)
+            << bad;
+    EXPECT_NE(table_error(std::string("1 \0 2\n", 6)), "") << "a binary file";
 }
 
 TEST(ReadTableTest, NamesAColumnThatIsNotThere) {
-    EXPECT_EQ(said("\n1 2 3\n", {0, 3}), "table.txt:2: has 3 columns, column 4 is needed");
-    EXPECT_EQ(said("1 2 3\n", {-1}), "table.txt:1: has 3 columns, column 0 is needed");
+    EXPECT_EQ(table_error("\n1 2 3\n", {0, 3}), "table.txt:2: has 3 columns, column 4 is needed");
+    EXPECT_EQ(table_error("1 2 3\n", {-1}), "table.txt:1: has 3 columns, column 0 is needed");
 }
 
 TEST(ReadTableTest, NamesAFileThatCannotBeRead) {

@@ -12,36 +12,7 @@ namespace {
 PILOTAGE_SUITE(EkfInvariantsTest);
 
 template <typename Scalar, int N>
-void predict_randomly(Draw& draw, Ekf<Scalar, N>& filter) {
-    const Vector<Scalar, 2> u(draw.uniform<Scalar>(-0.1, 0.3), draw.uniform<Scalar>(-0.2, 0.2));
-    const Matrix<Scalar, 2> gamma = Vector<Scalar, 2>(draw.log_uniform<Scalar>(1e-8, 1e-3),
-                                                      draw.log_uniform<Scalar>(1e-9, 1e-4))
-                                        .asDiagonal();
-    Vector<Scalar, N> q = Vector<Scalar, N>::Zero();
-    for (int i = 0; i < 3; ++i) q[i] = draw.log_uniform<Scalar>(1e-12, 1e-4);
-    filter.predict(motion<Scalar, N>(), u, gamma, q);
-}
-
-/// A marker at 5 cm to 30 m, its noise from a very good laser's to useless, every tenth an outlier.
-template <typename Sighting, typename Scalar, int N>
-bool update_randomly(Draw& draw, Ekf<Scalar, N>& filter, const Policy& policy) {
-    constexpr int kRows = Sighting::kComponents;
-    const double distance = draw.log_uniform(0.05, 30), direction = draw.uniform(-3.1, 3.1);
-    const Vector<Scalar, 3> marker(filter.state()[kX] + Scalar(distance * std::cos(direction)),
-                                   filter.state()[kY] + Scalar(distance * std::sin(direction)),
-                                   draw.uniform<Scalar>(-1, 1));
-    const Sighting sighting{marker};
-    Matrix<Scalar, kRows> r = Matrix<Scalar, kRows>::Zero();
-    for (int i = 0; i < kRows; ++i) r(i, i) = draw.log_uniform<Scalar>(1e-7, 1);
-    const Scalar outlier = draw.uniform(0, 1) < 0.1 ? 10 : 1;
-    const Vector<Scalar, kRows> z =
-        sighting.linearize(filter.state().template head<3>()).value +
-        (r.diagonal().cwiseSqrt() * outlier).cwiseProduct(draw.normal<Scalar, kRows>());
-    return filter.update(sighting, z, r, policy).accepted();
-}
-
-template <typename Scalar, int N>
-void expect_covariance_through(int steps) {
+void expect_ekf_covariance_through(int steps) {
     Draw draw(N);
     auto filter = random_filter<Scalar, N>(draw);
     const auto policy = Policy::make(Fusion::student_t, 0.001, 4);
@@ -66,8 +37,8 @@ void expect_covariance_through(int steps) {
 }
 
 TYPED_TEST(EkfInvariantsTest, CovarianceStaysSymmetricAndSemidefinite) {
-    expect_covariance_through<TypeParam, 3>(100000);
-    expect_covariance_through<TypeParam, 6>(100000);
+    expect_ekf_covariance_through<TypeParam, 3>(100000);
+    expect_ekf_covariance_through<TypeParam, 6>(100000);
 }
 
 /// Every subset of the calibration states, frozen by zero variance.

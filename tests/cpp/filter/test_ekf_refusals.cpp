@@ -1,10 +1,9 @@
 // An update is a transaction: what cannot be fused is refused with its reason, and nothing changes.
 
-#include <limits>
-
 #include "support/filters.hpp"
 #include "support/linear_measurement.hpp"
 #include "support/matchers.hpp"
+#include "support/samples.hpp"
 #include "support/scalars.hpp"
 
 namespace pilotage::test {
@@ -12,12 +11,9 @@ namespace {
 
 PILOTAGE_SUITE(EkfRefusalTest);
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
 template <typename Model, typename Filter, typename Scalar, int M>
-void expect_refused(UpdateFault reason, const Filter& filter, const Model& model,
-                    const Vector<Scalar, M>& z, const Matrix<Scalar, M>& r) {
+void expect_update_refused(UpdateFault reason, const Filter& filter, const Model& model,
+                           const Vector<Scalar, M>& z, const Matrix<Scalar, M>& r) {
     for (const Fusion fusion : {Fusion::plain, Fusion::gate, Fusion::student_t}) {
         Filter after = filter;
         const auto report = after.update(model, z, r, Policy::make(fusion, 0.001, 4));
@@ -31,7 +27,7 @@ void expect_refused(UpdateFault reason, const Filter& filter, const Model& model
 
 /// A filter of N states with a sighting that it would take.
 template <typename Scalar, int N>
-struct Scene {
+struct EkfScene {
     Draw draw{7};
     Ekf<Scalar, N> filter = random_filter<Scalar, N>(draw);
     BearingElevationRange<Scalar> sighting{marker_in_sight(draw, filter)};
@@ -40,13 +36,13 @@ struct Scene {
     Matrix<Scalar, 3> r = Matrix<Scalar, 3>::Identity() * Scalar(0.01);
 
     void expect_refused_as(UpdateFault reason) const {
-        expect_refused(reason, filter, sighting, z, r);
+        expect_update_refused(reason, filter, sighting, z, r);
     }
 };
 
 template <typename Scalar, int N>
 void expect_bad_values_refused() {
-    Scene<Scalar, N> good;
+    EkfScene<Scalar, N> good;
     EXPECT_TRUE(Ekf(good.filter).update(good.sighting, good.z, good.r, Policy{}).accepted());
     for (const double bad : {kNan, kInf, -kInf})
         for (int i = 0; i < 3; ++i) {
@@ -67,7 +63,7 @@ TYPED_TEST(EkfRefusalTest, ValuesAndNoiseThatAreNotFinite) {
 
 template <typename Scalar, int N>
 void expect_impossible_noise_refused() {
-    const Scene<Scalar, N> good;
+    const EkfScene<Scalar, N> good;
     for (const double variance : {0.0, -1e-9, -0.01, -1e6})
         for (int i = 0; i < 3; ++i) {
             SCOPED_TRACE(::testing::Message() << "variance " << variance << " of component " << i);
@@ -75,8 +71,9 @@ void expect_impossible_noise_refused() {
             scene.r(i, i) = Scalar(variance);
             scene.expect_refused_as(UpdateFault::numeric);
             const BearingOnly<Scalar> bearing{good.sighting.marker_above_sensor};
-            expect_refused(UpdateFault::numeric, good.filter, bearing, Vector<Scalar, 1>(good.z[0]),
-                           Matrix<Scalar, 1>(Scalar(variance)));
+            expect_update_refused(UpdateFault::numeric, good.filter, bearing,
+                                  Vector<Scalar, 1>(good.z[0]),
+                                  Matrix<Scalar, 1>(Scalar(variance)));
         }
 }
 
@@ -86,20 +83,20 @@ TYPED_TEST(EkfRefusalTest, NoiseThatIsZeroOrNegative) {
 }
 
 TYPED_TEST(EkfRefusalTest, NoiseThatIsCorrelatedByMoreThanOne) {
-    Scene<TypeParam, 3> scene;
+    EkfScene<TypeParam, 3> scene;
     scene.r(1, 0) = scene.r(0, 1) = TypeParam(0.011);
     scene.expect_refused_as(UpdateFault::numeric);
 }
 
 TYPED_TEST(EkfRefusalTest, NoNoiseOnACertainState) {
-    Scene<TypeParam, 3> scene;
+    EkfScene<TypeParam, 3> scene;
     scene.filter = {scene.filter.state(), Matrix<TypeParam, 3>::Zero()};
     scene.r.setZero();
     scene.expect_refused_as(UpdateFault::numeric);
 }
 
 TYPED_TEST(EkfRefusalTest, MarkerAtTheSensorItself) {
-    Scene<TypeParam, 3> scene;
+    EkfScene<TypeParam, 3> scene;
     scene.sighting.marker_above_sensor.template head<2>() = scene.filter.state().template head<2>();
     scene.expect_refused_as(UpdateFault::undefined);
     scene.sighting.min_ground_m = 0;  // the model lets it through, the filter does not
@@ -110,8 +107,8 @@ TYPED_TEST(EkfRefusalTest, ModelThatSaysItIsNotDefined) {
     Draw draw(8);
     const auto filter = random_filter<TypeParam, 3>(draw);
     const LinearMeasurement<TypeParam, 2, 3> model{draw.normal<TypeParam, 2, 3>(), false};
-    expect_refused(UpdateFault::undefined, filter, model, Vector<TypeParam, 2>(0, 0),
-                   Matrix<TypeParam, 2>(Matrix<TypeParam, 2>::Identity()));
+    expect_update_refused(UpdateFault::undefined, filter, model, Vector<TypeParam, 2>(0, 0),
+                          Matrix<TypeParam, 2>(Matrix<TypeParam, 2>::Identity()));
 }
 
 TYPED_TEST(EkfRefusalTest, JacobianOrCovarianceThatIsNotFinite) {
@@ -120,13 +117,14 @@ TYPED_TEST(EkfRefusalTest, JacobianOrCovarianceThatIsNotFinite) {
     LinearMeasurement<TypeParam, 1, 3> model{draw.normal<TypeParam, 1, 3>()};
     const Matrix<TypeParam, 1> r(TypeParam(0.1));
     model.h(0, 1) = TypeParam(kNan);
-    expect_refused(UpdateFault::numeric, filter, model, Vector<TypeParam, 1>(TypeParam(0)), r);
+    expect_update_refused(UpdateFault::numeric, filter, model, Vector<TypeParam, 1>(TypeParam(0)),
+                          r);
     for (const double bad : {kNan, kInf}) {
         Matrix<TypeParam, 3> p = filter.covariance();
         p(1, 1) = TypeParam(bad);
-        const Scene<TypeParam, 3> good;
-        expect_refused(UpdateFault::numeric, Ekf<TypeParam, 3>(filter.state(), p), good.sighting,
-                       good.z, good.r);
+        const EkfScene<TypeParam, 3> good;
+        expect_update_refused(UpdateFault::numeric, Ekf<TypeParam, 3>(filter.state(), p),
+                              good.sighting, good.z, good.r);
     }
 }
 

@@ -11,7 +11,7 @@ namespace {
 PILOTAGE_SUITE(EkfTextbookTest);
 
 template <typename Scalar, int N>
-void expect_same(const Ekf<Scalar, N>& filter, const TextbookEkf& textbook) {
+void expect_as_textbook(const Ekf<Scalar, N>& filter, const TextbookEkf& textbook) {
     EXPECT_TRUE(close(filter.state(), textbook.x, kTight<Scalar>));
     EXPECT_TRUE(close(filter.covariance(), textbook.p, kTight<Scalar>));
 }
@@ -30,8 +30,8 @@ void expect_textbook_prediction() {
         filter.predict(motion<Scalar, N>(), u, gamma, q);
         dense.propagate(step.next, step.a.dense(), step.b, gamma, q);
         textbook.predict(wide(step.next), wide(step.a.dense()), wide(step.b), wide(gamma), wide(q));
-        expect_same(filter, textbook);
-        expect_same(dense, textbook);
+        expect_as_textbook(filter, textbook);
+        expect_as_textbook(dense, textbook);
         EXPECT_EQ(filter.covariance(), (Matrix<Scalar, N>(filter.covariance().transpose())));
     }
 }
@@ -58,7 +58,7 @@ void expect_textbook_update() {
         ASSERT_TRUE(report.accepted());
         EXPECT_EQ(report.weight, 1);
         EXPECT_NEAR(report.nis, nis, 10 * kTight<Scalar> * (1 + nis));
-        expect_same(filter, textbook);
+        expect_as_textbook(filter, textbook);
         EXPECT_EQ(filter.covariance(), (Matrix<Scalar, N>(filter.covariance().transpose())));
     }
 }

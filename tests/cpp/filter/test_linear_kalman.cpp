@@ -7,16 +7,12 @@
 #include "support/matchers.hpp"
 #include "support/random.hpp"
 #include "support/scalars.hpp"
+#include "support/textbook_ekf.hpp"
 
 namespace pilotage::test {
 namespace {
 
 PILOTAGE_SUITE(LinearKalmanTest);
-
-template <typename Derived>
-Eigen::MatrixXd wide(const Eigen::MatrixBase<Derived>& fixed) {
-    return fixed.template cast<double>();
-}
 
 /// Eqs. 7 to 11 of Tamas et al. 2008 as they stand.
 struct Textbook {

@@ -26,35 +26,7 @@ Ukf<Scalar, N> start(Draw& draw, int frozen = 0) {
 }
 
 template <typename Scalar, int N>
-void predict_randomly(Draw& draw, Ukf<Scalar, N>& filter) {
-    const Vector<Scalar, 2> u(draw.uniform<Scalar>(-0.1, 0.3), draw.uniform<Scalar>(-0.2, 0.2));
-    const Matrix<Scalar, 2> gamma = Vector<Scalar, 2>(draw.log_uniform<Scalar>(1e-8, 1e-3),
-                                                      draw.log_uniform<Scalar>(1e-9, 1e-4))
-                                        .asDiagonal();
-    Vector<Scalar, N> q = Vector<Scalar, N>::Zero();
-    for (int i = 0; i < 3; ++i) q[i] = draw.log_uniform<Scalar>(1e-12, 1e-4);
-    filter.predict(motion<Scalar, N>(), u, gamma, q);
-}
-
-/// A marker at 5 cm to 30 m, its noise from a very good laser's to useless, every tenth an outlier.
-template <typename Scalar, int N>
-bool update_randomly(Draw& draw, Ukf<Scalar, N>& filter, const Policy& policy) {
-    const double distance = draw.log_uniform(0.05, 30), direction = draw.uniform(-3.1, 3.1);
-    const BearingElevationRange<Scalar> sighting{
-        {filter.state()[kX] + Scalar(distance * std::cos(direction)),
-         filter.state()[kY] + Scalar(distance * std::sin(direction)), draw.uniform<Scalar>(-1, 1)}};
-    const Vector<Scalar, 3> sigma(draw.log_uniform<Scalar>(3e-4, 1),
-                                  draw.log_uniform<Scalar>(3e-4, 1),
-                                  draw.log_uniform<Scalar>(3e-4, 1));
-    const Scalar outlier = draw.uniform(0, 1) < 0.1 ? 10 : 1;
-    const Vector<Scalar, 3> z = sighting.linearize(filter.state().template head<3>()).value +
-                                outlier * sigma.cwiseProduct(draw.normal<Scalar, 3>());
-    return filter.update(sighting, z, diagonal(Vector<Scalar, 3>(sigma.cwiseAbs2())), policy)
-        .accepted();
-}
-
-template <typename Scalar, int N>
-void expect_covariance_through(int steps) {
+void expect_ukf_covariance_through(int steps) {
     Draw draw(N);
     auto filter = start<Scalar, N>(draw);
     const auto policy = Policy::make(Fusion::student_t, 0.001, 4);
@@ -62,7 +34,7 @@ void expect_covariance_through(int steps) {
     int refused = 0;
     for (int i = 0; i < steps; ++i) {
         if (draw.uniform(0, 1) < 0.5)
-            refused += !update_randomly(draw, filter, policy);
+            refused += !update_randomly<BearingElevationRange<Scalar>>(draw, filter, policy);
         else
             predict_randomly(draw, filter);
         const auto& p = filter.covariance();
@@ -74,8 +46,8 @@ void expect_covariance_through(int steps) {
 }
 
 TYPED_TEST(UkfInvariantsTest, CovarianceStaysSymmetricAndSemidefinite) {
-    expect_covariance_through<TypeParam, 3>(20000);
-    expect_covariance_through<TypeParam, 6>(20000);
+    expect_ukf_covariance_through<TypeParam, 3>(20000);
+    expect_ukf_covariance_through<TypeParam, 6>(20000);
 }
 
 /// Every subset of the calibration states, frozen by zero variance.
@@ -86,7 +58,7 @@ TYPED_TEST(UkfInvariantsTest, FrozenStatesStayExactlyFrozen) {
         const auto before = filter.state();
         for (int step = 0; step < 500; ++step) {
             predict_randomly(draw, filter);
-            update_randomly(draw, filter, Policy{});
+            update_randomly<BearingElevationRange<TypeParam>>(draw, filter, Policy{});
         }
         for (int i = 3; i < 6; ++i) {
             if (frozen & (1 << (i - 3))) {
@@ -114,14 +86,14 @@ TYPED_TEST(UkfInvariantsTest, FilterWithFrozenCalibrationIsTheOneWithout) {
     for (int i = 0; i < 200; ++i) {
         predict_randomly(draw, six);
         predict_randomly(same_draw, three);
-        update_randomly(draw, six, Policy{});
-        update_randomly(same_draw, three, Policy{});
+        update_randomly<BearingElevationRange<S>>(draw, six, Policy{});
+        update_randomly<BearingElevationRange<S>>(same_draw, three, Policy{});
     }
     EXPECT_TRUE(close(six.state().template head<3>(), three.state(), 1e3 * kTight<S>));
 }
 
 template <typename Scalar>
-struct Scene {
+struct UkfScene {
     Draw draw{7};
     Ukf<Scalar, 6> filter = start<Scalar, 6>(draw);
     BearingElevationRange<Scalar> sighting{
@@ -141,7 +113,7 @@ struct Scene {
 };
 
 TYPED_TEST(UkfInvariantsTest, RefusalsNameTheirReasonAndChangeNothing) {
-    const Scene<TypeParam> good;
+    const UkfScene<TypeParam> good;
     EXPECT_TRUE(Ukf(good.filter).update(good.sighting, good.z, good.r, Policy{}).accepted());
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
@@ -172,7 +144,7 @@ TYPED_TEST(UkfInvariantsTest, RefusalsNameTheirReasonAndChangeNothing) {
 }
 
 TYPED_TEST(UkfInvariantsTest, ModelThatIsUndefinedAtOnePointIsUndefined) {
-    auto scene = Scene<TypeParam>();
+    auto scene = UkfScene<TypeParam>();
     // A root's last column is the heading's alone, so make one of x: its point is the marker.
     const Vector<TypeParam, 3> variances(TypeParam(0.25), 0, 0);
     Ukf<TypeParam, 3> filter({0, 0, 0}, variances.asDiagonal());
@@ -184,7 +156,7 @@ TYPED_TEST(UkfInvariantsTest, ModelThatIsUndefinedAtOnePointIsUndefined) {
 TYPED_TEST(UkfInvariantsTest, OutlierIsWeighedAsTheEkfWeighsIt) {
     using S = TypeParam;
     const auto policy = Policy::make(Fusion::student_t, 0.001, 4);
-    Scene<S> scene;
+    UkfScene<S> scene;
     auto plain = scene.filter, weighted = scene.filter;
     scene.z[0] += 2;
     const auto without = plain.update(scene.sighting, scene.z, scene.r, Policy{});

@@ -26,8 +26,6 @@ struct Counter final : Listener {
     [[nodiscard]] long count(Verdict v) const { return verdicts[static_cast<int>(v)]; }
 };
 
-const MarkerMap kMap({{1, 6, 2, 0.4, 0.01}, {2, -3, 5, 0, 0}, {3, 4, -4, 0, 0.02}});
-
 /// A minute in the order of arrival: some samples late, some too late, repeated, bad, or after a
 /// gap.
 std::vector<Sample> rough_minute() {
@@ -46,10 +44,10 @@ std::vector<Sample> rough_minute() {
         const double t = double(sample.utime) * 1e-6;
         for (std::uint16_t i = 0; i < 3; ++i) {
             Vector<double, 3> seen =
-                view(after_arc({0, 0, 0}, 0.5 * t, 0.2 * t), kMap.markers()[i]);
+                view(after_arc({0, 0, 0}, 0.5 * t, 0.2 * t), kSurveyedMarkers.markers()[i]);
             seen[0] += 0.02 * draw.normal<double, 1>()(0);
             if (draw.uniform(0, 1) < 0.02) seen[2] = kInf;
-            const int id = draw.uniform(0, 1) < 0.05 ? 7 : kMap.markers()[i].id;
+            const int id = draw.uniform(0, 1) < 0.05 ? 7 : kSurveyedMarkers.markers()[i].id;
             send(sighting_at(sample.utime - 7000, id, only(seen, true, i == 0, i == 1), i));
         }
     }
@@ -70,7 +68,7 @@ void expect_no_allocation(Fusion fusion) {
     params.sensors[0].fusion = fusion;
     params.history.capacity = 512;
     Counter counter;
-    Localizer<Scalar, N> localizer(params, kMap, counter);
+    Localizer<Scalar, N> localizer(params, kSurveyedMarkers, counter);
     const AllocationCount allocations;
     double sum = 0;
     for (const Sample& sample : samples) {
@@ -125,7 +123,7 @@ std::vector<Sample> faulty_minute(const MarkerMap& map) {
 
 template <typename Scalar, int N>
 void expect_no_allocation_with_faults() {
-    const MarkerMap map = markers_around_origin();
+    const MarkerMap& map = kAroundOrigin;
     const std::vector<Sample> samples = faulty_minute(map);
     Params params = gyro_params();
     params.gyro_bias.sigma = 0.01;

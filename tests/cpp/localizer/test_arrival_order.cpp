@@ -8,17 +8,15 @@
 #include "support/localizers.hpp"
 #include "support/random.hpp"
 #include "support/robots.hpp"
+#include "support/sanitized.hpp"
 
 namespace pilotage::test {
 namespace {
 
 PILOTAGE_LOCALIZER_SUITE(ArrivalOrderTest);
 
-const MarkerMap kMap({{1, 6, 2, 0.4, 0.01}, {2, -3, 5, 0, 0}, {3, 4, -4, 0, 0.02}});
-
 Params robot_params(Fusion fusion, HeadingSource heading) {
-    Params params = plain_params();
-    params.motion.heading = heading;
+    Params params = params_with(heading);
     params.gyro_bias.sigma = 0.01;
     params.gyro_bias.walk = 0.001;
     params.distance_scale.sigma = params.rotation_scale.sigma = 0.02;
@@ -49,7 +47,7 @@ std::vector<Sample> noisy_drive(double seconds, unsigned seed) {
         const auto source = static_cast<std::uint8_t>(t % 2);
         const double outlier = draw.uniform(0, 1) < 0.1 ? 1.5 : 0;
         for (std::uint16_t i = 0; i < 3; ++i) {
-            const Marker& marker = kMap.markers()[i];
+            const Marker& marker = kSurveyedMarkers.markers()[i];
             Vector<double, 3> seen = view(at, marker, params.sensors[source]);
             seen += Vector<double, 3>(0.02, 0.02, 0.1).cwiseProduct(draw.normal<double, 3>());
             seen[0] += outlier;
@@ -72,7 +70,7 @@ Reports final_reports(const Tally& tally) {
     return reports;
 }
 
-void expect_same(const Robot& robot, const Robot& in_order, const Kind& kind) {
+void expect_same_outcome(const Robot& robot, const Robot& in_order, const LocalizerKind& kind) {
     const double tolerance = kind.is_double ? 1e-9 : 1e-4;
     EXPECT_TRUE(close(robot.state(), in_order.state(), tolerance));
     EXPECT_TRUE(close(robot.covariance(), in_order.covariance(), tolerance));
@@ -96,7 +94,7 @@ void expect_same(const Robot& robot, const Robot& in_order, const Kind& kind) {
     expect_sums_hold(robot);
 }
 
-void run(Robot& robot, const std::vector<Sample>& samples) {
+void run_through(Robot& robot, const std::vector<Sample>& samples) {
     robot.add(samples);
     robot.finish();
 }
@@ -107,16 +105,16 @@ TEST_P(ArrivalOrderTest, OfASetWithinTheWindowDoesNotMatter) {
         for (const HeadingSource heading : {HeadingSource::gyro, HeadingSource::both}) {
             const Params params = robot_params(fusion, heading);
             std::vector<Sample> samples = noisy_drive(1.9, 21);
-            Robot in_order(GetParam(), params, kMap);
-            run(in_order, samples);
+            Robot in_order(GetParam(), params, kSurveyedMarkers);
+            run_through(in_order, samples);
             EXPECT_GT(in_order.tally.count(Verdict::fused), 300);
             EXPECT_EQ(in_order.tally.count(Verdict::counter_reset), 1);
-            for (int trial = 0; trial < 10; ++trial) {
+            for (int trial = 0; trial < repeats(10); ++trial) {
                 SCOPED_TRACE(trial);
                 std::shuffle(samples.begin(), samples.end(), generator);
-                Robot robot(GetParam(), params, kMap);
-                run(robot, samples);
-                expect_same(robot, in_order, GetParam());
+                Robot robot(GetParam(), params, kSurveyedMarkers);
+                run_through(robot, samples);
+                expect_same_outcome(robot, in_order, GetParam());
             }
         }
 }
@@ -124,34 +122,34 @@ TEST_P(ArrivalOrderTest, OfASetWithinTheWindowDoesNotMatter) {
 /// Each sample of a long drive is late by up to 1.9 s of the 2 s that the history holds.
 TEST_P(ArrivalOrderTest, OfADriveWithDelaysWithinTheWindowDoesNotMatter) {
     const Params params = robot_params(Fusion::student_t, HeadingSource::gyro);
-    for (unsigned seed = 0; seed < 4; ++seed) {
+    for (int seed = 0; seed < repeats(4); ++seed) {
         SCOPED_TRACE(seed);
-        const std::vector<Sample> samples = noisy_drive(10, seed);
-        Robot in_order(GetParam(), params, kMap);
-        run(in_order, samples);
-        Draw draw(100 + seed);
+        const std::vector<Sample> samples = noisy_drive(10, static_cast<unsigned>(seed));
+        Robot in_order(GetParam(), params, kSurveyedMarkers);
+        run_through(in_order, samples);
+        Draw draw(static_cast<unsigned>(100 + seed));
         std::vector<std::pair<double, std::size_t>> arrival;
         for (std::size_t i = 0; i < samples.size(); ++i)
             arrival.emplace_back(double(samples[i].utime) + draw.uniform(0, 1.9e6), i);
         std::sort(arrival.begin(), arrival.end());
-        Robot robot(GetParam(), params, kMap);
+        Robot robot(GetParam(), params, kSurveyedMarkers);
         for (const auto& [time, i] : arrival) robot.add(samples[i]);
         robot.finish();
-        expect_same(robot, in_order, GetParam());
+        expect_same_outcome(robot, in_order, GetParam());
     }
 }
 
 TEST_P(ArrivalOrderTest, OfRepeatedSamplesDoesNotMatterEither) {
     const Params params = robot_params(Fusion::gate, HeadingSource::gyro);
     std::vector<Sample> samples = noisy_drive(1.5, 5);
-    Robot in_order(GetParam(), params, kMap);
-    run(in_order, samples);
+    Robot in_order(GetParam(), params, kSurveyedMarkers);
+    run_through(in_order, samples);
     const std::size_t once = samples.size();
     for (std::size_t i = 0; i < once; i += 3) samples.push_back(samples[i]);
     std::mt19937 generator(2);
     std::shuffle(samples.begin(), samples.end(), generator);
-    Robot robot(GetParam(), params, kMap);
-    run(robot, samples);
+    Robot robot(GetParam(), params, kSurveyedMarkers);
+    run_through(robot, samples);
     const int repeated = static_cast<int>(samples.size() - once);
     EXPECT_EQ(robot.tally.count(Verdict::duplicate), repeated);
     EXPECT_EQ(robot.tally.rejected(), in_order.tally.rejected() + repeated);
@@ -164,15 +162,15 @@ TEST_P(ArrivalOrderTest, OfAResetAmongTheSamplesDoesNotMatter) {
     std::vector<Sample> samples = noisy_drive(1.5, 8);
     samples.push_back(reset_at(700'001, {4, -2, 1}, {0.1, 0.2, 0.3}));
     std::sort(samples.begin(), samples.end(), InOrder{});
-    Robot in_order(GetParam(), params, kMap);
-    run(in_order, samples);
+    Robot in_order(GetParam(), params, kSurveyedMarkers);
+    run_through(in_order, samples);
     EXPECT_GE(in_order.estimate().resets, 1);
     std::mt19937 generator(7);
-    for (int trial = 0; trial < 20; ++trial) {
+    for (int trial = 0; trial < repeats(20); ++trial) {
         std::shuffle(samples.begin(), samples.end(), generator);
-        Robot robot(GetParam(), params, kMap);
-        run(robot, samples);
-        expect_same(robot, in_order, GetParam());
+        Robot robot(GetParam(), params, kSurveyedMarkers);
+        run_through(robot, samples);
+        expect_same_outcome(robot, in_order, GetParam());
         EXPECT_EQ(robot.estimate().resets, in_order.estimate().resets);
     }
 }

@@ -9,9 +9,10 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(CalibrationTest);
 
-const MarkerMap kMap({{1, 6, 2, 0, 0}, {2, -3, 5, 0, 0}, {3, 4, -4, 0, 0}, {4, -6, -5, 0, 0}});
+const MarkerMap kGroundMarkers(
+    {{1, 6, 2, 0, 0}, {2, -3, 5, 0, 0}, {3, 4, -4, 0, 0}, {4, -6, -5, 0, 0}});
 
-constexpr double kBias = 0.03, kDistance = 1.04, kRotation = 0.97;
+constexpr double kTrueBias = 0.03, kTrueDistance = 1.04, kTrueRotation = 0.97;
 
 /// Drives a minute in slow eights on wheels and a gyro that err, with good sightings.
 void drive_erring(Robot& robot) {
@@ -27,10 +28,10 @@ void drive_erring(Robot& robot) {
             left += std::llround(1e6 * (distance - lean));
             right += std::llround(1e6 * (distance + lean));
         }
-        robot.add(gyro_at(i * kPeriod, turn / kRotation / 0.02 + kBias));
+        robot.add(gyro_at(i * kPeriod, turn / kTrueRotation / 0.02 + kTrueBias));
         robot.add(encoders_at(i * kPeriod, left, right));
         if (i % 5) continue;
-        for (const Marker& marker : kMap.markers()) {
+        for (const Marker& marker : kGroundMarkers.markers()) {
             Vector<double, 3> seen = view(truth, marker);
             seen += Vector<double, 3>(0.005, 0, 0.02).cwiseProduct(draw.normal<double, 3>());
             robot.add(sighting_at(i * kPeriod, marker.id, only(seen, true, false, true)));
@@ -41,7 +42,7 @@ void drive_erring(Robot& robot) {
 Params erring_params() {
     Params params = plain_params();
     params.motion.heading = HeadingSource::gyro;
-    params.wheels.left_m_per_tick = params.wheels.right_m_per_tick = 1e-6 / kDistance;
+    params.wheels.left_m_per_tick = params.wheels.right_m_per_tick = 1e-6 / kTrueDistance;
     params.sensors[0].sigma_bearing_rad = 0.005;
     params.sensors[0].sigma_range_m = 0.02;
     params.sensors[0].fusion = Fusion::plain;
@@ -54,11 +55,11 @@ TEST_P(CalibrationTest, FindsBiasAndScales) {
     params.gyro_bias = {0, 0.05, 0};
     params.distance_scale = {1, 0.05, 0};
     params.rotation_scale = {1, 0.05, 0};
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kGroundMarkers);
     drive_erring(robot);
     const Eigen::VectorXd x = robot.state();
     const Eigen::MatrixXd p = robot.covariance();
-    const double truth[] = {kBias, kDistance, kRotation};
+    const double truth[] = {kTrueBias, kTrueDistance, kTrueRotation};
     for (int i = 0; i < 3; ++i) {
         const double sigma = std::sqrt(p(kGyroBias + i, kGyroBias + i));
         EXPECT_NEAR(x[kGyroBias + i], truth[i], 4 * sigma) << "state " << i;
@@ -76,7 +77,7 @@ TEST_P(CalibrationTest, MovesOnlyWhatIsNotFrozen) {
         const double initial[] = {0.0123, 1.0271, 0.9871};
         for (int i = 0; i < 3; ++i) states[i]->initial = initial[i];
         states[moving]->sigma = 0.05;
-        Robot robot(GetParam(), params, kMap);
+        Robot robot(GetParam(), params, kGroundMarkers);
         drive_erring(robot);
         for (int i = 0; i < 3; ++i) {
             const int at = kGyroBias + i;
@@ -94,11 +95,11 @@ TEST_P(CalibrationTest, MovesOnlyWhatIsNotFrozen) {
 /// All frozen, six states are three: the same pose, at the configured calibration.
 TEST_P(CalibrationTest, AllFrozenIsTheThreeStateFilter) {
     Params params = erring_params();
-    params.gyro_bias.initial = kBias;
-    params.distance_scale.initial = kDistance;
-    params.rotation_scale.initial = kRotation;
-    Robot robot(GetParam(), params, kMap);
-    Robot three({GetParam().is_double, kPoseStates, 0}, params, kMap);
+    params.gyro_bias.initial = kTrueBias;
+    params.distance_scale.initial = kTrueDistance;
+    params.rotation_scale.initial = kTrueRotation;
+    Robot robot(GetParam(), params, kGroundMarkers);
+    Robot three({GetParam().is_double, kPoseStates, 0}, params, kGroundMarkers);
     drive_erring(robot);
     drive_erring(three);
     const double tolerance = GetParam().is_double ? 1e-9 : 1e-3;
@@ -112,11 +113,11 @@ TEST_P(CalibrationTest, AWalkLetsAStateMoveFromACertainStart) {
     if (GetParam().states == kPoseStates) return;
     Params params = erring_params();
     params.gyro_bias.walk = 0.01;
-    params.distance_scale.initial = kDistance;
-    params.rotation_scale.initial = kRotation;
-    Robot robot(GetParam(), params, kMap);
+    params.distance_scale.initial = kTrueDistance;
+    params.rotation_scale.initial = kTrueRotation;
+    Robot robot(GetParam(), params, kGroundMarkers);
     drive_erring(robot);
-    EXPECT_NEAR(robot.state()[kGyroBias], kBias, 0.02);
+    EXPECT_NEAR(robot.state()[kGyroBias], kTrueBias, 0.02);
 }
 
 }  // namespace

@@ -9,9 +9,7 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(CheckpointTest);
 
-const MarkerMap kMap = markers_around_origin();
-
-Params waiting_params() {
+Params restart_params() {
     Params params = gyro_params();
     params.initial = {};
     params.gyro_bias.sigma = 0.01;
@@ -21,15 +19,15 @@ Params waiting_params() {
 
 /// A drive with sightings, and where it ended.
 struct Before {
-    Journey journey{kMap};
+    Journey journey{kAroundOrigin};
     Checkpoint checkpoint;
     Eigen::VectorXd state;
     Eigen::MatrixXd covariance;
 
-    explicit Before(const Kind& kind) {
-        Params params = waiting_params();
+    explicit Before(const LocalizerKind& kind) {
+        Params params = restart_params();
         params.initial.x_m = params.initial.y_m = params.initial.heading_rad = 0;
-        Robot robot(kind, params, kMap);
+        Robot robot(kind, params, kAroundOrigin);
         if (kind.states == kCalibratedStates) journey.gyro_bias = 0.005;
         robot.add(journey.go(3));
         robot.add(journey.go(7, 0.3, 0.3));
@@ -45,7 +43,7 @@ TEST_P(CheckpointTest, RestoresEveryBit) {
     EXPECT_EQ(before.checkpoint.ticks.left, before.journey.left());
     EXPECT_EQ(before.checkpoint.ticks.right, before.journey.right());
     EXPECT_EQ(before.checkpoint.states, GetParam().states);
-    Robot robot(GetParam(), waiting_params(), kMap);
+    Robot robot(GetParam(), restart_params(), kAroundOrigin);
     ASSERT_TRUE(robot.restore(before.checkpoint));
     EXPECT_TRUE(robot.has_pose());
     EXPECT_FALSE(robot.started());
@@ -61,7 +59,7 @@ TEST_P(CheckpointTest, RestoresEveryBit) {
 
 TEST_P(CheckpointTest, UnmovedTicksConfirmIt) {
     Before before(GetParam());
-    Robot robot(GetParam(), waiting_params(), kMap);
+    Robot robot(GetParam(), restart_params(), kAroundOrigin);
     ASSERT_TRUE(robot.restore(before.checkpoint));
     before.journey.camera = false;
     robot.add(before.journey.go(0.1));
@@ -74,7 +72,7 @@ TEST_P(CheckpointTest, MovedTicksDoNotAndItIsDoubted) {
     Before before(GetParam());
     before.journey.camera = false;
     (void)before.journey.go(0.1, 0.1, 0);  // while it was switched off
-    Robot robot(GetParam(), waiting_params(), kMap);
+    Robot robot(GetParam(), restart_params(), kAroundOrigin);
     ASSERT_TRUE(robot.restore(before.checkpoint));
     robot.add(before.journey.go(0.1));
     EXPECT_EQ(robot.estimate().status, Status::initializing);
@@ -93,7 +91,7 @@ TEST_P(CheckpointTest, MovedTicksDoNotAndItIsDoubted) {
 TEST_P(CheckpointTest, ZeroTicksDoNot) {
     Before before(GetParam());
     before.checkpoint.ticks = {0, 0};
-    Robot robot(GetParam(), waiting_params(), kMap);
+    Robot robot(GetParam(), restart_params(), kAroundOrigin);
     ASSERT_TRUE(robot.restore(before.checkpoint));
     robot.add(encoders_at(kSecond, 0, 0));
     EXPECT_EQ(robot.estimate().status, Status::initializing);
@@ -102,9 +100,9 @@ TEST_P(CheckpointTest, ZeroTicksDoNot) {
 
 TEST_P(CheckpointTest, OfAVelocityTellsNothingOfHavingMoved) {
     const Before before(GetParam());
-    Params params = waiting_params();
+    Params params = restart_params();
     params.motion.source = MotionSource::velocity;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kAroundOrigin);
     ASSERT_TRUE(robot.restore(before.checkpoint));
     robot.add(velocity_at(kSecond, 0, 0));
     EXPECT_EQ(robot.estimate().status, Status::initializing);
@@ -112,9 +110,9 @@ TEST_P(CheckpointTest, OfAVelocityTellsNothingOfHavingMoved) {
 
 TEST_P(CheckpointTest, WithAnotherNumberOfStatesGivesThePoseAlone) {
     const Before before(GetParam());
-    for (const Kind& kind : kKinds) {
+    for (const LocalizerKind& kind : kKinds) {
         if (kind.states == GetParam().states) continue;
-        Robot robot(kind, waiting_params(), kMap);
+        Robot robot(kind, restart_params(), kAroundOrigin);
         ASSERT_TRUE(robot.restore(before.checkpoint));
         EXPECT_TRUE(close(robot.state().head(3), before.state.head(3), 1e-6));
         EXPECT_TRUE(close(robot.covariance().topLeftCorner(3, 3),
@@ -152,10 +150,10 @@ TEST_P(CheckpointTest, OfNoFilterIsRefusedAndChangesNothing) {
         c.covariance.topLeftCorner<3, 3>() << 1, 0.9, -0.9, 0.9, 1, 0.9, -0.9, 0.9, 1;
     });
     for (std::size_t i = 0; i < broken.size(); ++i) {
-        Robot waiting(GetParam(), waiting_params(), kMap);
+        Robot waiting(GetParam(), restart_params(), kAroundOrigin);
         EXPECT_FALSE(waiting.restore(broken[i])) << "case " << i;
         EXPECT_FALSE(waiting.has_pose());
-        Robot configured(GetParam(), gyro_params(), kMap);
+        Robot configured(GetParam(), gyro_params(), kAroundOrigin);
         const Eigen::MatrixXd covariance = configured.covariance();
         EXPECT_FALSE(configured.restore(broken[i])) << "case " << i;
         EXPECT_TRUE(configured.has_pose());
@@ -176,7 +174,7 @@ TEST_P(CheckpointTest, ContradictedBySightingsIsNeverOk) {
         journey.truth[kX] += off;
         journey.truth[kHeading] = wrap(journey.truth[kHeading] + 0.5 * off);
         journey.camera = true;
-        Robot robot(GetParam(), waiting_params(), kMap);
+        Robot robot(GetParam(), restart_params(), kAroundOrigin);
         ASSERT_TRUE(robot.restore(before.checkpoint));
         for (int i = 0; i < 300; ++i) {
             robot.add(journey.go(0.1, 0.1, 0.1));
@@ -193,7 +191,7 @@ TEST_P(CheckpointTest, CarriedWithoutATickIsNotOkOnceSightingsContradict) {
     Before before(GetParam());
     Journey& journey = before.journey;
     journey.truth[kX] += 3;
-    Robot robot(GetParam(), waiting_params(), kMap);
+    Robot robot(GetParam(), restart_params(), kAroundOrigin);
     ASSERT_TRUE(robot.restore(before.checkpoint));
     robot.add(journey.go(1));
     for (int i = 0; i < 300; ++i) {

@@ -8,9 +8,9 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(ElevationApartTest);
 
-const MarkerMap kMap({{1, 6, 2, 1.5, 0}});
+const MarkerMap kHighMarker({{1, 6, 2, 1.5, 0}});
 
-const Vector<double, 3> kSeen = view({0.02, -0.02, 0.01}, kMap.markers()[0]);
+const Vector<double, 3> kSeen = view({0.02, -0.02, 0.01}, kHighMarker.markers()[0]);
 constexpr double kWrong_rad = 0.5;
 
 /// A standing robot that is shown the marker once.
@@ -18,8 +18,8 @@ struct Shown {
     Robot robot;
     Sample sample;
 
-    Shown(const Kind& kind, Fusion fusion, const Vector<double, 3>& seen)
-        : robot(kind, params(fusion), kMap), sample(sighting_at(1, 1, seen)) {
+    Shown(const LocalizerKind& kind, Fusion fusion, const Vector<double, 3>& seen)
+        : robot(kind, params(fusion), kHighMarker), sample(sighting_at(1, 1, seen)) {
         robot.add(encoders_at(0, 0, 0));
         robot.add(sample);
         robot.add(encoders_at(kPeriod, 0, 0));

@@ -9,8 +9,6 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(GapTest);
 
-const MarkerMap kMap = markers_around_origin();
-
 double radius95(const Estimate& e) {
     return std::sqrt(5.9915 * std::max(e.covariance(0, 0), e.covariance(1, 1)));
 }
@@ -22,8 +20,8 @@ Params velocity_params() {
 }
 
 TEST_P(GapTest, APredictionGoesOnAsTheRobotDid) {
-    Robot robot(GetParam(), gyro_params(), kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), gyro_params(), kAroundOrigin);
+    Journey journey(kAroundOrigin);
     robot.add(journey.go(2, 0.5, 0.3));
     const Pose<double> at = robot.pose();
     EXPECT_EQ(robot.estimate(journey.utime).pose, at);
@@ -37,8 +35,8 @@ TEST_P(GapTest, APredictionGoesOnAsTheRobotDid) {
 
 TEST_P(GapTest, PastTheGapAPredictionStandsAndItsCovarianceGrows) {
     Params params = gyro_params();
-    Robot robot(GetParam(), params, kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), params, kAroundOrigin);
+    Journey journey(kAroundOrigin);
     robot.add(journey.go(2, 0.5, 0.3));
     const auto after = [&](double seconds) {
         return robot.estimate(journey.utime + static_cast<std::int64_t>(seconds * kSecond));
@@ -60,8 +58,8 @@ TEST_P(GapTest, TheStatusFallsFromOkToDeadReckoningToLostWithItsReason) {
     Params params = gyro_params();
     params.status.lost_after_s = 4;
     params.status.lost_limit_m = 1e3;
-    Robot robot(GetParam(), params, kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), params, kAroundOrigin);
+    Journey journey(kAroundOrigin);
     robot.add(journey.go(2));
     ASSERT_EQ(robot.estimate().status, Status::ok);
     struct Case {
@@ -85,8 +83,8 @@ TEST_P(GapTest, TooUnsureIsLostWithItsRadius) {
     Params params = gyro_params();
     params.status.lost_after_s = 1e6;
     params.status.lost_limit_m = 3;
-    Robot robot(GetParam(), params, kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), params, kAroundOrigin);
+    Journey journey(kAroundOrigin);
     robot.add(journey.go(2));
     const Estimate e = robot.estimate(journey.utime + 10 * kSecond);
     EXPECT_EQ(e.status, Status::lost);
@@ -97,8 +95,8 @@ TEST_P(GapTest, TooUnsureIsLostWithItsRadius) {
 
 /// A message or a second's messages were lost; the counters were not.
 TEST_P(GapTest, TicksCarryOnAcrossAGap) {
-    Robot robot(GetParam(), gyro_params(), kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), gyro_params(), kAroundOrigin);
+    Journey journey(kAroundOrigin);
     journey.camera = false;
     robot.add(journey.go(2, 0.5, 0));
     const double sure = robot.covariance()(0, 0);
@@ -114,8 +112,8 @@ TEST_P(GapTest, TicksCarryOnAcrossAGap) {
 
 TEST_P(GapTest, AfterAGapThatTheTruthDroveCrookedItIsInsideTheCovariance) {
     for (const double omega : {0.5, -1.2}) {
-        Robot robot(GetParam(), gyro_params(), kMap);
-        Journey journey(kMap);
+        Robot robot(GetParam(), gyro_params(), kAroundOrigin);
+        Journey journey(kAroundOrigin);
         journey.camera = false;
         robot.add(journey.go(2, 0.5, 0));
         journey.encoders = journey.gyro = false;
@@ -130,8 +128,8 @@ TEST_P(GapTest, AfterAGapThatTheTruthDroveCrookedItIsInsideTheCovariance) {
 
 /// Of counters that started again during the gap nothing is known but how fast the robot was.
 TEST_P(GapTest, ResetCountersAcrossAGapAreDoubted) {
-    Robot robot(GetParam(), gyro_params(), kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), gyro_params(), kAroundOrigin);
+    Journey journey(kAroundOrigin);
     journey.camera = false;
     robot.add(journey.go(20, 0.9, 0));
     journey.encoders = false;
@@ -147,7 +145,7 @@ TEST_P(GapTest, ResetCountersAcrossAGapAreDoubted) {
 
 /// A speed holds no longer than the gap, and what follows is unknown.
 TEST_P(GapTest, OfAVelocityCoversTheWorst) {
-    Robot robot(GetParam(), velocity_params(), kMap);
+    Robot robot(GetParam(), velocity_params(), kAroundOrigin);
     for (int i = 0; i <= 50; ++i) robot.add(velocity_at(i * kPeriod, 0.8, 0));
     const Pose<double> before = robot.pose();
     robot.add(velocity_at(kSecond + 3 * kSecond, 0.8, 0));
@@ -166,7 +164,7 @@ TEST_P(GapTest, OfThirtyThousandYearsIsOneStep) {
         Params params = gyro_params();
         params.motion.source = source;
         params.noise.position_m_per_sqrt_s = 0.01;
-        Robot robot(GetParam(), params, kMap);
+        Robot robot(GetParam(), params, kAroundOrigin);
         for (int i = 0; i < 50; ++i) {
             robot.add(gyro_at(i * kPeriod, 0.1));
             robot.add(source == MotionSource::encoders ? encoders_at(i * kPeriod, 10 * i, 10 * i)
@@ -186,8 +184,8 @@ TEST_P(GapTest, OfThirtyThousandYearsIsOneStep) {
 
 /// After the silence sightings tell again where the robot is.
 TEST_P(GapTest, EndsWithSightings) {
-    Robot robot(GetParam(), gyro_params(), kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), gyro_params(), kAroundOrigin);
+    Journey journey(kAroundOrigin);
     robot.add(journey.go(3, 0.2, 0));
     journey.encoders = journey.gyro = journey.camera = false;
     (void)journey.go(4, 0.3, 0.3);

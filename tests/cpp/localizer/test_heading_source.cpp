@@ -10,14 +10,8 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(HeadingSourceTest);
 
-Params params_with(HeadingSource source) {
-    Params params = plain_params();
-    params.motion.heading = source;
-    return params;
-}
-
 /// Wheels that say 0.2 rad/s at 0.5 m/s, a gyro that says `rate` beside them.
-double heading_after_3_s(const Kind& kind, HeadingSource source, double rate,
+double heading_after_3_s(const LocalizerKind& kind, HeadingSource source, double rate,
                          Params params = plain_params()) {
     params.motion.heading = source;
     Robot robot(kind, params);

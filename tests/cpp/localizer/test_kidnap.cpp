@@ -10,11 +10,11 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(KidnapTest);
 
-const MarkerMap kMap({{1, 6, 2, 0.4, 0},
-                      {2, -3, 5, 0.3, 0},
-                      {3, 4, -4, 0.2, 0},
-                      {4, -7, -2, 0.4, 0},
-                      {5, 14, 9, 0.3, 0}});
+const MarkerMap kFiveMarkers({{1, 6, 2, 0.4, 0},
+                              {2, -3, 5, 0.3, 0},
+                              {3, 4, -4, 0.2, 0},
+                              {4, -7, -2, 0.4, 0},
+                              {5, 14, 9, 0.3, 0}});
 
 /// In metres, with the heading counted as a metre for each 20 degrees.
 double off_by(const Pose<double>& a, const Pose<double>& b) {
@@ -25,8 +25,8 @@ double off_by(const Pose<double>& a, const Pose<double>& b) {
 /// Drives a bend and sees some of the markers in each frame.
 class Drive {
    public:
-    explicit Drive(const Kind& kind, std::size_t in_view = 2, unsigned seed = 1)
-        : robot(kind, gyro_params(), kMap), journey(seen_, seed), in_view_(in_view) {}
+    explicit Drive(const LocalizerKind& kind, std::size_t in_view = 2, unsigned seed = 1)
+        : robot(kind, gyro_params(), kFiveMarkers), journey(seen_, seed), in_view_(in_view) {}
 
     Robot robot;
     Journey journey;
@@ -35,7 +35,7 @@ class Drive {
     Estimate frame() {
         std::vector<Marker> seen;
         for (std::size_t i = 0; i < in_view_; ++i)
-            seen.push_back(kMap.markers()[(first_ + i) % kMap.markers().size()]);
+            seen.push_back(kFiveMarkers.markers()[(first_ + i) % kFiveMarkers.markers().size()]);
         if (++frames_ % 10 == 0) ++first_;
         seen_ = MarkerMap(seen);
         robot.add(journey.go(0.1, 0.5, 0.2));
@@ -93,8 +93,8 @@ TEST_P(KidnapTest, KeepsTheCalibrationThatWasLearnt) {
     if (GetParam().states == kPoseStates) return;
     Params params = gyro_params();
     params.gyro_bias.sigma = 0.02;
-    Robot robot(GetParam(), params, kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), params, kFiveMarkers);
+    Journey journey(kFiveMarkers);
     journey.gyro_bias = 0.01;
     robot.add(journey.go(20, 0.5, 0.2));
     const double bias = robot.state()[kGyroBias];
@@ -107,8 +107,8 @@ TEST_P(KidnapTest, KeepsTheCalibrationThatWasLearnt) {
 
 TEST_P(KidnapTest, AFifthOfOutliersNeitherMovesItNorMakesItLostForLong) {
     for (unsigned seed = 1; seed <= 3; ++seed) {
-        Robot robot(GetParam(), gyro_params(), kMap);
-        Journey journey(kMap, seed);
+        Robot robot(GetParam(), gyro_params(), kFiveMarkers);
+        Journey journey(kFiveMarkers, seed);
         Draw draw(seed);
         int not_ok = 0, lost = 0, lost_in_a_row = 0;
         for (int frame = 0; frame < 600; ++frame) {
@@ -156,8 +156,8 @@ TEST_P(KidnapTest, APoseFromOutsideThatIsWrongByAMetreIsCorrected) {
 /// Times of what was seen and searched for are of the clock that dates them.
 TEST_P(KidnapTest, IsFoundAgainAfterTheClockWasSet) {
     for (const std::int64_t by : {-3600 * kSecond, 3600 * kSecond}) {
-        Robot robot(GetParam(), gyro_params(), kMap);
-        Journey journey(kMap);
+        Robot robot(GetParam(), gyro_params(), kFiveMarkers);
+        Journey journey(kFiveMarkers);
         robot.add(journey.go(5, 0.5, 0.2));
         robot.add(reset_at(journey.utime + 1, journey.truth, {0.1, 0.1, 0.05}));
         robot.add(journey.go(5, 0.5, 0.2));
@@ -174,7 +174,7 @@ TEST_P(KidnapTest, IsFoundAgainAfterTheClockWasSet) {
 
 /// How far a search looks back is no matter of what the history still has.
 TEST_P(KidnapTest, IsFoundAgainInWhateverOrderThingsArrive) {
-    const std::vector<Marker>& all = kMap.markers();
+    const std::vector<Marker>& all = kFiveMarkers.markers();
     MarkerMap seen({all.begin(), all.begin() + 2});
     Journey journey(seen, 4);
     std::vector<Sample> samples = journey.go(4, 0.5, 0.2);
@@ -185,7 +185,7 @@ TEST_P(KidnapTest, IsFoundAgainInWhateverOrderThingsArrive) {
     more(journey.go(4, 0.5, 0.2));
     journey.truth[kX] += 3;
     more(journey.go(3, 0.5, 0.2));
-    Robot in_order(GetParam(), gyro_params(), kMap);
+    Robot in_order(GetParam(), gyro_params(), kFiveMarkers);
     in_order.add(samples);
     EXPECT_EQ(in_order.estimate().found, 1);
     for (const unsigned seed : {1U, 2U, 3U}) {
@@ -194,7 +194,7 @@ TEST_P(KidnapTest, IsFoundAgainInWhateverOrderThingsArrive) {
         for (std::size_t i = 0; i < samples.size(); ++i)
             arrival.emplace_back(double(samples[i].utime) + draw.uniform(0, 0.95e6 * seed / 2), i);
         std::sort(arrival.begin(), arrival.end());
-        Robot late(GetParam(), gyro_params(), kMap);
+        Robot late(GetParam(), gyro_params(), kFiveMarkers);
         for (const auto& [time, i] : arrival) late.add(samples[i]);
         EXPECT_TRUE(close(late.state(), in_order.state(), GetParam().is_double ? 1e-9 : 1e-4));
         EXPECT_EQ(late.estimate().found, 1);

@@ -8,12 +8,10 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(LiftTest);
 
-const MarkerMap kMap = markers_around_origin();
-
 TEST_P(LiftTest, TurnsTheHeadingByTheGyroAndDoubtsThePosition) {
     for (const double rate : {0.7, -0.7}) {
-        Robot robot(GetParam(), gyro_params(), kMap);
-        Journey journey(kMap);
+        Robot robot(GetParam(), gyro_params(), kAroundOrigin);
+        Journey journey(kAroundOrigin);
         journey.camera = false;
         robot.add(journey.go(3));
         const double sure = robot.covariance()(0, 0);
@@ -30,8 +28,8 @@ TEST_P(LiftTest, TurnsTheHeadingByTheGyroAndDoubtsThePosition) {
 }
 
 TEST_P(LiftTest, EndsWithTheTicksOfTheWheels) {
-    Robot robot(GetParam(), gyro_params(), kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), gyro_params(), kAroundOrigin);
+    Journey journey(kAroundOrigin);
     journey.camera = false;
     robot.add(journey.go(2));
     journey.carried_rad_s = 0.7;
@@ -46,8 +44,8 @@ TEST_P(LiftTest, EndsWithTheTicksOfTheWheels) {
 }
 
 TEST_P(LiftTest, IsFoundAgainBySightingsAndNeverOkWhereItIsNot) {
-    Robot robot(GetParam(), gyro_params(), kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), gyro_params(), kAroundOrigin);
+    Journey journey(kAroundOrigin);
     robot.add(journey.go(3));
     ASSERT_EQ(robot.estimate().status, Status::ok);
     journey.camera = false;
@@ -69,8 +67,8 @@ TEST_P(LiftTest, IsFoundAgainBySightingsAndNeverOkWhereItIsNot) {
 
 /// Without a turn nothing on board notices; the sightings do.
 TEST_P(LiftTest, WithoutATurnIsToldByTheSightings) {
-    Robot robot(GetParam(), gyro_params(), kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), gyro_params(), kAroundOrigin);
+    Journey journey(kAroundOrigin);
     robot.add(journey.go(3));
     journey.camera = false;
     journey.carried_m_s = 1;
@@ -87,8 +85,8 @@ TEST_P(LiftTest, WithoutATurnIsToldByTheSightings) {
 }
 
 TEST_P(LiftTest, IsNoLiftWhereTheGyroIsSilent) {
-    Robot robot(GetParam(), gyro_params(), kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), gyro_params(), kAroundOrigin);
+    Journey journey(kAroundOrigin);
     journey.camera = journey.gyro = false;
     journey.carried_rad_s = 0.7;
     robot.add(journey.go(3));

@@ -9,11 +9,10 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(NoiseTest);
 
-const MarkerMap kMap({{1, 6, 2, 0, 0}});
+const MarkerMap kGroundMarker({{1, 6, 2, 0, 0}});
 
 Params noisy_params(HeadingSource heading) {
-    Params params = plain_params();
-    params.motion.heading = heading;
+    Params params = params_with(heading);
     params.noise = {0.03, 0.01, 0.02, 0.01, 0.005, 0.01, 0.004};
     params.gyro_bias = {0, 0.01, 0.002};
     params.distance_scale = {1, 0.02, 0.01};
@@ -22,10 +21,10 @@ Params noisy_params(HeadingSource heading) {
 }
 
 /// A drive of ten seconds along an S, sampled `rate` times a second.
-Eigen::MatrixXd covariance_after(const Kind& kind, HeadingSource heading, int rate) {
+Eigen::MatrixXd covariance_after(const LocalizerKind& kind, HeadingSource heading, int rate) {
     Params params = noisy_params(heading);
     params.wheels.left_m_per_tick = params.wheels.right_m_per_tick = 1e-6;
-    Robot robot(kind, params, kMap);
+    Robot robot(kind, params, kGroundMarker);
     for (int i = 0; i <= 10 * rate; ++i) {
         const double t = double(i) / rate;
         const double travel = 0.5 * t, lean = 0.1 * (1 - std::cos(0.6 * t));
@@ -54,7 +53,7 @@ TEST_P(NoiseTest, DoesNotDependOnTheSampleRate) {
 }
 
 TEST_P(NoiseTest, GrowsWithTimeUntilTheRobotIsSeenToStand) {
-    Robot standing(GetParam(), noisy_params(HeadingSource::wheels), kMap);
+    Robot standing(GetParam(), noisy_params(HeadingSource::wheels), kGroundMarker);
     standing.add(drive(100, 0, 0));
     const double heading = standing.estimate().covariance(2, 2);
     const double start = std::pow(plain_params().initial.sigma_heading_rad, 2);
@@ -64,7 +63,7 @@ TEST_P(NoiseTest, GrowsWithTimeUntilTheRobotIsSeenToStand) {
 }
 
 /// With a certain pose S is R.
-SightingReport report_of(const Kind& kind, const SensorParams& sensor, double survey_sigma,
+SightingReport report_of(const LocalizerKind& kind, const SensorParams& sensor, double survey_sigma,
                          const Vector<double, 3>& measured) {
     Params params = plain_params();
     params.initial.sigma_position_m = params.initial.sigma_heading_rad = 0;
@@ -110,7 +109,7 @@ TEST_P(NoiseTest, OfTheSurveyEntersBearingAndRange) {
 TEST_P(NoiseTest, OfTheSightingItselfComesFirst) {
     Params params = plain_params();
     params.initial.sigma_position_m = params.initial.sigma_heading_rad = 0;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kGroundMarker);
     robot.add(encoders_at(0, 0, 0));
     Sample seen = sighting_at(1, 1, {0.3, 0.01, 6});
     seen.payload.sighting.sigma[0] = 0.25;

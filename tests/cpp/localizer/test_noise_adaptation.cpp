@@ -31,7 +31,7 @@ struct NoisyCircle {
 
     [[nodiscard]] std::vector<Sample> samples(double seconds) const {
         const Params p = params();
-        const MarkerMap map = yard();
+        const MarkerMap& map = kYard;
         constexpr double left_m = 0.0095, right_m = 0.0105, driven_m = 0.01, track_m = 0.5;
         Draw draw(seed);
         std::vector<Sample> samples;
@@ -77,11 +77,11 @@ struct NoisyCircle {
 };
 
 /// What is learned of a drive.
-NoiseScale learned(const Kind& kind, const NoisyCircle& circle, double seconds) {
+NoiseScale learned(const LocalizerKind& kind, const NoisyCircle& circle, double seconds) {
     Params params = NoisyCircle::params();
     if (circle.stated)  // what is configured does not count then
         params.sensors[0].sigma_bearing_rad = params.sensors[0].sigma_range_m = 1;
-    Robot robot(kind, params, yard());
+    Robot robot(kind, params, kYard);
     robot.add(circle.samples(seconds));
     EXPECT_EQ(robot.estimate().status, Status::ok);
     return robot.noise();
@@ -139,7 +139,7 @@ TEST_P(NoiseAdaptationTest, HasBounds) {
     circle.outliers = 0.2;
     for (const double truth : {0.02, 50.0}) {
         circle.sensor = circle.motion = truth;
-        Robot robot(GetParam(), NoisyCircle::params(), yard());
+        Robot robot(GetParam(), NoisyCircle::params(), kYard);
         for (const Sample& sample : circle.samples(200)) {
             robot.add(sample);
             const NoiseScale noise = robot.noise();
@@ -156,14 +156,14 @@ TEST_P(NoiseAdaptationTest, DoesNotDependOnTheOrderOfArrival) {
     NoisyCircle circle;
     circle.sensor = 2;
     const std::vector<Sample> samples = circle.samples(20);
-    Robot in_order(GetParam(), NoisyCircle::params(), yard());
+    Robot in_order(GetParam(), NoisyCircle::params(), kYard);
     in_order.add(samples);
     Draw draw(3);
     std::vector<std::pair<double, std::size_t>> arrival;
     for (std::size_t i = 0; i < samples.size(); ++i)
         arrival.emplace_back(double(samples[i].utime) + draw.uniform(0, 1.9e6), i);
     std::sort(arrival.begin(), arrival.end());
-    Robot robot(GetParam(), NoisyCircle::params(), yard());
+    Robot robot(GetParam(), NoisyCircle::params(), kYard);
     for (const auto& [time, i] : arrival) robot.add(samples[i]);
     EXPECT_GT(in_order.noise().sensor(0), 1.5);
     EXPECT_EQ(robot.noise().sensor(0), in_order.noise().sensor(0));
@@ -175,7 +175,7 @@ TEST_P(NoiseAdaptationTest, DoesNotDependOnTheOrderOfArrival) {
 TEST_P(NoiseAdaptationTest, OffNothingIsLearned) {
     NoisyCircle circle;
     circle.sensor = 2;
-    Robot robot(GetParam(), NoisyCircle::params(NoiseAdaptation::off), yard());
+    Robot robot(GetParam(), NoisyCircle::params(NoiseAdaptation::off), kYard);
     robot.add(circle.samples(20));
     EXPECT_EQ(robot.noise().sensor(0), 1);
     EXPECT_EQ(robot.noise().motion(), 1);
@@ -191,8 +191,8 @@ TEST_P(NoiseAdaptationTest, BeforeAnythingIsLearnedOnIsOff) {
     samples.erase(std::remove_if(samples.begin(), samples.end(),
                                  [&](const Sample& s) { return sighting(s) && ++seen > 2; }),
                   samples.end());
-    Robot on(GetParam(), NoisyCircle::params(), yard());
-    Robot off(GetParam(), NoisyCircle::params(NoiseAdaptation::off), yard());
+    Robot on(GetParam(), NoisyCircle::params(), kYard);
+    Robot off(GetParam(), NoisyCircle::params(NoiseAdaptation::off), kYard);
     on.add(samples);
     off.add(samples);
     EXPECT_EQ(on.state(), off.state());

@@ -27,7 +27,7 @@ struct Way {
 constexpr Way kWays[] = {{true, 0}, {false, 0}, {false, 64}};
 
 TEST_P(PixelTest, EndAnErrorOfTheStart) {
-    const MarkerMap map = yard();
+    const MarkerMap& map = kYard;
     for (const Filter filter : {Filter::ekf, Filter::ukf})
         for (const Way& way : kWays) {
             Params params = filmed_params();
@@ -48,7 +48,7 @@ TEST_P(PixelTest, EndAnErrorOfTheStart) {
 }
 
 TEST_P(PixelTest, FindAPoseFromNothingAndAfterTheRobotWasCarriedOff) {
-    const MarkerMap map = yard();
+    const MarkerMap& map = kYard;
     for (const bool ids : {true, false}) {
         Params params = filmed_params();
         params.initial = {};
@@ -98,9 +98,9 @@ TEST_P(PixelTest, WhereTheCameraShowsNothingAreOutsideTheImage) {
     Intrinsics barrel = params.sensors[0].camera.intrinsics();
     barrel.distortion = {-0.4, 0, 0, 0, 0, 0, 0, 0};
     params.sensors[0].camera = {barrel, 0, 0};
-    Robot folded(GetParam(), params, yard());
+    Robot folded(GetParam(), params, kYard);
     params.sensors[0].camera = {};
-    Robot blind(GetParam(), params, yard());
+    Robot blind(GetParam(), params, kYard);
     const Sample corner = pixel_at(1, 1, {2, 2});
     for (Robot* robot : {&folded, &blind}) {
         robot->add(corner);
@@ -109,7 +109,7 @@ TEST_P(PixelTest, WhereTheCameraShowsNothingAreOutsideTheImage) {
 }
 
 TEST_P(PixelTest, ArrivalOrderDoesNotMatter) {
-    const MarkerMap map = yard();
+    const MarkerMap& map = kYard;
     for (const Way& way : kWays) {
         Params params = filmed_params();
         params.sensors[0].association_radius_pixel = way.radius_px;
@@ -137,7 +137,7 @@ TEST_P(PixelTest, ArrivalOrderDoesNotMatter) {
 }
 
 TEST_P(PixelTest, NoiseIsLearnedFromThem) {
-    const MarkerMap map = yard();
+    const MarkerMap& map = kYard;
     Params params = filmed_params();
     params.noise.adaptation = NoiseAdaptation::on;
     FilmedJourney film(map, params.sensors[0]);

@@ -8,12 +8,12 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(RefusalTest);
 
-const MarkerMap kMap({{1, 6, 2, 0.4, 0}, {2, 0.02, 0, 0, 0}});
+const MarkerMap kFarAndTooNear({{1, 6, 2, 0.4, 0}, {2, 0.02, 0, 0, 0}});
 
 /// A robot under way, and a sample that it must not take.
-void expect_refused(const Kind& kind, const Sample& sample, Verdict reason,
+void expect_refused(const LocalizerKind& kind, const Sample& sample, Verdict reason,
                     Params params = plain_params()) {
-    Robot robot(kind, params, kMap), untouched(kind, params, kMap);
+    Robot robot(kind, params, kFarAndTooNear), untouched(kind, params, kFarAndTooNear);
     for (Robot* r : {&robot, &untouched}) r->add(drive(3, 10, 10));
     EXPECT_FALSE(robot.add(sample));
     for (Robot* r : {&robot, &untouched}) r->add(encoders_at(4 * kPeriod, 40, 40));
@@ -65,7 +65,7 @@ TEST_P(RefusalTest, ASigmaMustBePositiveAndFinite) {
 
 TEST_P(RefusalTest, ASigmaOfWhatWasNotMeasuredDoesNotMatter) {
     for (const double sigma : {0.0, -1.0, kInf}) {
-        Robot robot(GetParam(), plain_params(), kMap);
+        Robot robot(GetParam(), plain_params(), kFarAndTooNear);
         robot.add(drive(3, 10, 10));
         const Sample seen = sighting_with(2, kNan, sigma);
         robot.add(seen);
@@ -87,7 +87,7 @@ TEST_P(RefusalTest, AMarkerThatTheMapDoesNotNameIsUnknown) {
 
 TEST_P(RefusalTest, AMarkerUnderTheSensorIsTooClose) {
     expect_refused(GetParam(), sighting_at(kNow, 2, {0.1, kNan, kNan}), Verdict::too_close);
-    Robot robot(GetParam(), plain_params(), kMap);
+    Robot robot(GetParam(), plain_params(), kFarAndTooNear);
     robot.add(drive(3, 10, 10));
     robot.add(sighting_at(kNow, 2, {0.1, kNan, kNan}));
     robot.add(encoders_at(4 * kPeriod, 40, 40));
@@ -98,7 +98,7 @@ TEST_P(RefusalTest, AnInnovationAboveTheGateIsRejectedWithBoth) {
     Params params = plain_params();
     params.sensors[0].fusion = Fusion::gate;
     expect_refused(GetParam(), sighting_at(kNow, 1, {3, kNan, kNan}), Verdict::gate, params);
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kFarAndTooNear);
     robot.add(drive(3, 10, 10));
     robot.add(sighting_at(kNow, 1, {3, kNan, kNan}));
     robot.add(encoders_at(4 * kPeriod, 40, 40));
@@ -127,7 +127,7 @@ TEST_P(RefusalTest, ARateOrSpeedMustBeFiniteAndThatOfARobot) {
 TEST_P(RefusalTest, AVelocityMessageMustBeFiniteAndThatOfARobot) {
     Params params = plain_params();
     params.motion.source = MotionSource::velocity;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kFarAndTooNear);
     robot.add(velocity_at(0, 1, 0.1));
     const double bad[][2] = {{kNan, 0}, {0, kNan}, {kInf, 0}, {0, -kInf}};
     const double fast[][2] = {{10.01, 0}, {-1e300, 0}, {0, 100.1}, {0, -1e300}};
@@ -154,7 +154,7 @@ TEST_P(RefusalTest, AStampAtTheEndOfTimeIsBad) {
 TEST_P(RefusalTest, WithoutAPoseNoSightingIsFused) {
     Params params = plain_params();
     params.initial.heading_rad = kNan;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kFarAndTooNear);
     EXPECT_FALSE(robot.has_pose());
     robot.add(drive(3, 10, 10));
     const Sample seen = sighting_at(kNow, 1, {0.1, kNan, kNan});
@@ -170,7 +170,7 @@ TEST_P(RefusalTest, WithoutAPoseNoSightingIsFused) {
 }
 
 TEST_P(RefusalTest, ASightingOlderThanTheFirstMotionHasNoPlace) {
-    Robot robot(GetParam(), plain_params(), kMap);
+    Robot robot(GetParam(), plain_params(), kFarAndTooNear);
     const Sample early = sighting_at(kSecond - 1, 1, {0.1, kNan, kNan});
     robot.add(early);
     robot.add(encoders_at(kSecond, 0, 0));

@@ -8,9 +8,9 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(ResetTest);
 
-const MarkerMap kMap({{1, 6, 2, 0.4, 0}});
+const MarkerMap kOneMarker({{1, 6, 2, 0.4, 0}});
 
-Params waiting_params() {
+Params params_without_start() {
     Params params = plain_params();
     params.initial = {};
     params.distance_scale.initial = 1.5;
@@ -19,7 +19,7 @@ Params waiting_params() {
 }
 
 TEST_P(ResetTest, IsTheStartWhereNoneIsConfigured) {
-    Robot robot(GetParam(), waiting_params(), kMap);
+    Robot robot(GetParam(), params_without_start(), kOneMarker);
     EXPECT_FALSE(robot.has_pose());
     const Sample start = reset_at(5, {1, 2, 0.5}, {0.3, 0.4, 0.1});
     EXPECT_FALSE(robot.add(start));
@@ -37,7 +37,7 @@ TEST_P(ResetTest, IsTheStartWhereNoneIsConfigured) {
 }
 
 TEST_P(ResetTest, StartsWithTheConfiguredCalibration) {
-    Robot robot(GetParam(), waiting_params(), kMap);
+    Robot robot(GetParam(), params_without_start(), kOneMarker);
     robot.add(reset_at(0, {0, 0, 0}, {0.1, 0.1, 0.1}));
     robot.add(encoders_at(0, 0, 0));
     robot.add(encoders_at(kSecond, 1000, 1000));
@@ -49,7 +49,7 @@ TEST_P(ResetTest, StartsWithTheConfiguredCalibration) {
 }
 
 TEST_P(ResetTest, WrapsTheHeading) {
-    Robot robot(GetParam(), waiting_params(), kMap);
+    Robot robot(GetParam(), params_without_start(), kOneMarker);
     robot.add(reset_at(0, {0, 0, 7}, {0.1, 0.1, 0.1}));
     robot.add(encoders_at(0, 0, 0));
     EXPECT_NEAR(robot.pose()[kHeading], 7 - 2 * kPi<double>, 1e-6);
@@ -63,7 +63,7 @@ TEST_P(ResetTest, UnderWayTakesEffectAtItsOwnTimeAndIsCounted) {
     Params params = plain_params();
     params.noise.wheel_m_per_sqrt_m = params.noise.position_m_per_sqrt_m = 0;
     params.motion.max_gap_s = 1;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kOneMarker);
     robot.add(encoders_at(0, 0, 0));
     const Sample to = reset_at(750'000, {10, 20, kPi<double> / 2}, {0.5, 0.6, 0});
     robot.add(to);
@@ -81,7 +81,7 @@ TEST_P(ResetTest, KeepsTheCalibrationButNotWhatTiedItToThePose) {
     if (GetParam().states == kPoseStates) return;
     Params params = plain_params();
     params.distance_scale.sigma = 0.1;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kOneMarker);
     robot.add(drive(100, 10, 10));
     EXPECT_GT(std::abs(robot.covariance()(kX, kDistanceScale)), 1e-3);
     robot.add(reset_at(100 * kPeriod + 1, {0, 0, 0}, {0.1, 0.1, 0.1}));
@@ -91,17 +91,17 @@ TEST_P(ResetTest, KeepsTheCalibrationButNotWhatTiedItToThePose) {
 }
 
 TEST_P(ResetTest, UnderWayAsksForANewConfirmation) {
-    Robot robot(GetParam(), plain_params(), kMap);
+    Robot robot(GetParam(), plain_params(), kOneMarker);
     robot.add(encoders_at(0, 0, 0));
     for (int i = 1; i <= Agreement::kConfirming; ++i)
-        robot.add(sighting_at(i, 1, view({0, 0, 0}, kMap.markers()[0])));
+        robot.add(sighting_at(i, 1, view({0, 0, 0}, kOneMarker.markers()[0])));
     robot.add(encoders_at(kPeriod, 0, 0));
     EXPECT_EQ(robot.estimate().status, Status::ok);
     robot.add(reset_at(kPeriod + 1, {1, 0, 0}, {0.1, 0.1, 0.1}));
     robot.add(encoders_at(2 * kPeriod, 0, 0));
     EXPECT_EQ(robot.estimate().status, Status::initializing);
     for (int i = 1; i <= Agreement::kConfirming; ++i)
-        robot.add(sighting_at(2 * kPeriod + i, 1, view({1, 0, 0}, kMap.markers()[0])));
+        robot.add(sighting_at(2 * kPeriod + i, 1, view({1, 0, 0}, kOneMarker.markers()[0])));
     robot.add(encoders_at(3 * kPeriod, 0, 0));
     EXPECT_EQ(robot.estimate().status, Status::ok);
 }
@@ -144,7 +144,7 @@ TEST_P(ResetTest, NeedsFinitePlausibleNumbersAndACovariance) {
             cases.push_back(
                 {with([&](PoseReset& r) { r.covariance[diagonal] = huge; }), Verdict::implausible});
     for (const Case& c : cases) {
-        Robot robot(GetParam(), plain_params(), kMap);
+        Robot robot(GetParam(), plain_params(), kOneMarker);
         robot.add(drive(1, 0, 0));
         robot.add(c.sample);
         robot.add(encoders_at(2 * kPeriod, 0, 0));
@@ -156,7 +156,7 @@ TEST_P(ResetTest, NeedsFinitePlausibleNumbersAndACovariance) {
 
 /// As far and as unsure as a reset may be, the drive after it stays finite.
 TEST_P(ResetTest, AtItsLimitsLeavesAFiniteFilter) {
-    Robot robot(GetParam(), plain_params(), kMap);
+    Robot robot(GetParam(), plain_params(), kOneMarker);
     robot.add(drive(1, 0, 0));
     const Sample far = reset_at(kPeriod + 1, {1e7, -1e7, 1e7}, {3e4, 3e4, 10});
     robot.add(far);

@@ -9,7 +9,7 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(SightingTest);
 
-const MarkerMap kMap({{1, 6, 2, 0.4, 0}, {2, -3, 5, 0, 0}, {3, 4, -4, 0, 0}});
+const MarkerMap kThreeMarkers({{1, 6, 2, 0.4, 0}, {2, -3, 5, 0, 0}, {3, 4, -4, 0, 0}});
 
 /// A camera off the middle, and every kind of noise.
 Params camera_params() {
@@ -27,7 +27,7 @@ Params camera_params() {
 
 /// The same two half steps and one update by hand, with the filter and the models alone.
 template <typename Scalar, int N>
-void expect_hand_made(const Kind& kind, std::int64_t seen_at) {
+void expect_hand_made(const LocalizerKind& kind, std::int64_t seen_at) {
     const Params params = camera_params();
     const SensorParams& camera = params.sensors[0];
     auto u = from_wheels(Scalar(0.2), Scalar(0.3), Scalar(1), Scalar(0.5), params.noise);
@@ -51,7 +51,7 @@ void expect_hand_made(const Kind& kind, std::int64_t seen_at) {
     ASSERT_TRUE(update.accepted());
     dead_reckon(filter, u.part(1 - fraction), params);
 
-    Robot robot(kind, params, kMap);
+    Robot robot(kind, params, kThreeMarkers);
     robot.add(encoders_at(0, 0, 0));
     robot.add(sighting_at(seen_at, 1, z));
     robot.add(encoders_at(kSecond, 200, 300));
@@ -71,7 +71,7 @@ void expect_hand_made(const Kind& kind, std::int64_t seen_at) {
 TEST_P(SightingTest, BetweenTwoMotionSamplesIsFusedAtItsOwnTime) {
     for (const std::int64_t t : {1, 250'000, 500'000, 999'999}) {
         SCOPED_TRACE(t);
-        const Kind kind = GetParam();
+        const LocalizerKind kind = GetParam();
         if (kind.is_double)
             kind.states == 3 ? expect_hand_made<double, 3>(kind, t)
                              : expect_hand_made<double, 6>(kind, t);
@@ -84,12 +84,12 @@ TEST_P(SightingTest, BetweenTwoMotionSamplesIsFusedAtItsOwnTime) {
 /// Errors of the start vanish where every component is seen without noise; truth stays truth.
 TEST_P(SightingTest, WithoutNoiseKeepTheTruth) {
     const Params params = camera_params();
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kThreeMarkers);
     std::vector<Sample> samples = drive(1500, 9, 11);
     for (int i = 1; i < 290; ++i) {
         const std::int64_t t = i * 100'003;
         const Pose<double> at = after_arc({0, 0, 0}, 0.5e-6 * double(t), 0.2e-6 * double(t));
-        const Marker& marker = kMap.markers()[static_cast<std::size_t>(i) % 3];
+        const Marker& marker = kThreeMarkers.markers()[static_cast<std::size_t>(i) % 3];
         samples.push_back(sighting_at(
             t, marker.id, only(view(at, marker, params.sensors[0]), i % 2, i % 3, i % 5)));
     }
@@ -109,10 +109,10 @@ TEST_P(SightingTest, AtAMotionSamplesStampSeesThePoseAtItsEnd) {
     Params params = camera_params();
     params.initial.sigma_position_m = params.initial.sigma_heading_rad = 0;
     params.noise = {};
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kThreeMarkers);
     robot.add(encoders_at(0, 0, 0));
     const Pose<double> end(1, 0, 0);
-    robot.add(sighting_at(kSecond, 1, view(end, kMap.markers()[0], params.sensors[0])));
+    robot.add(sighting_at(kSecond, 1, view(end, kThreeMarkers.markers()[0], params.sensors[0])));
     robot.add(encoders_at(kSecond, 1000, 1000));
     EXPECT_TRUE(robot.tally.reports.empty())
         << "it comes after that sample, and waits for the next";
@@ -123,7 +123,7 @@ TEST_P(SightingTest, AtAMotionSamplesStampSeesThePoseAtItsEnd) {
 }
 
 TEST_P(SightingTest, WaitsForTheMotionAfterIt) {
-    Robot robot(GetParam(), camera_params(), kMap);
+    Robot robot(GetParam(), camera_params(), kThreeMarkers);
     const Sample seen = sighting_at(30'000, 1, {0.1, kNan, kNan});
     robot.add(encoders_at(0, 0, 0));
     EXPECT_FALSE(robot.add(seen));
@@ -135,7 +135,7 @@ TEST_P(SightingTest, WaitsForTheMotionAfterIt) {
 }
 
 TEST_P(SightingTest, ThatWaitsInVainIsToldSoAtTheEnd) {
-    Robot robot(GetParam(), camera_params(), kMap);
+    Robot robot(GetParam(), camera_params(), kThreeMarkers);
     robot.add(encoders_at(0, 0, 0));
     const Sample seen = sighting_at(30'000, 1, {0.1, kNan, kNan});
     robot.add(seen);
@@ -153,11 +153,12 @@ TEST_P(SightingTest, OfSeveralSensorsEachUseTheirOwnMounting) {
     params.sensor_count = 2;
     params.sensors[1] = params.sensors[0];
     params.sensors[1].yaw_rad = 3;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kThreeMarkers);
     robot.add(encoders_at(0, 0, 0));
     for (int source = 0; source < 2; ++source) {
         const auto s = static_cast<std::size_t>(source);
-        Sample seen = sighting_at(10'000, 2, view({0, 0, 0}, kMap.markers()[1], params.sensors[s]));
+        Sample seen =
+            sighting_at(10'000, 2, view({0, 0, 0}, kThreeMarkers.markers()[1], params.sensors[s]));
         seen.source = static_cast<std::uint8_t>(source);
         robot.add(seen);
     }

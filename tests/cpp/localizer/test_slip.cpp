@@ -9,18 +9,10 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(SlipTest);
 
-const MarkerMap kMap = markers_around_origin();
-
 struct Spin {
     double left_m_s, right_m_s;
 };
 constexpr Spin kSpins[] = {{0.5, 0}, {0, 0.5}, {-0.5, 0}, {0, -0.5}, {2, 0}};
-
-Params params_with(HeadingSource heading) {
-    Params params = gyro_params();
-    params.motion.heading = heading;
-    return params;
-}
 
 /// As long as a window of the check and a step: sooner nothing can be known.
 constexpr double kUnnoticed_s = 0.6;
@@ -44,8 +36,8 @@ TEST_P(SlipTest, OfAWheelKeepsTheTruthInsideTheCovariance) {
     for (const HeadingSource heading : {HeadingSource::gyro, HeadingSource::both})
         for (const Spin& spin : kSpins) {
             SCOPED_TRACE(::testing::Message() << spin.left_m_s << " " << spin.right_m_s);
-            Robot robot(GetParam(), params_with(heading), kMap);
-            Journey journey(kMap);
+            Robot robot(GetParam(), params_with(heading), kAroundOrigin);
+            Journey journey(kAroundOrigin);
             journey.camera = false;
             robot.add(journey.go(2, 0.4, 0));
             const double sure = robot.covariance()(0, 0);
@@ -65,8 +57,8 @@ TEST_P(SlipTest, OfAWheelKeepsTheTruthInsideTheCovariance) {
 TEST_P(SlipTest, IsMadeGoodBySightings) {
     for (const Spin& spin : kSpins) {
         SCOPED_TRACE(::testing::Message() << spin.left_m_s << " " << spin.right_m_s);
-        Robot robot(GetParam(), params_with(HeadingSource::gyro), kMap);
-        Journey journey(kMap);
+        Robot robot(GetParam(), params_with(HeadingSource::gyro), kAroundOrigin);
+        Journey journey(kAroundOrigin);
         robot.add(journey.go(2, 0.1, 0.1));
         ASSERT_EQ(robot.estimate().status, Status::ok);
         journey.camera = false;
@@ -86,8 +78,8 @@ TEST_P(SlipTest, IsMadeGoodBySightings) {
 /// The wheels turn less than the gyro: it is suspected, and the wheels carry the heading.
 TEST_P(SlipTest, AGyroInDegreesIsNotFollowed) {
     for (const double omega : {0.3, -0.3}) {
-        Robot robot(GetParam(), params_with(HeadingSource::gyro), kMap);
-        Journey journey(kMap);
+        Robot robot(GetParam(), params_with(HeadingSource::gyro), kAroundOrigin);
+        Journey journey(kAroundOrigin);
         journey.camera = false;
         journey.gyro_scale = 180 / kPi<double>;
         robot.add(journey.go(1, 0.2, omega));
@@ -101,8 +93,8 @@ TEST_P(SlipTest, AGyroInDegreesIsNotFollowed) {
 }
 
 TEST_P(SlipTest, AGyroOfTheWrongSignIsNotFollowed) {
-    Robot robot(GetParam(), params_with(HeadingSource::gyro), kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), params_with(HeadingSource::gyro), kAroundOrigin);
+    Journey journey(kAroundOrigin);
     journey.camera = false;
     journey.gyro_scale = -1;
     robot.add(journey.go(1, 0.2, 0.4));
@@ -118,8 +110,8 @@ TEST_P(SlipTest, AGyroOfTheWrongSignIsNotFollowed) {
 TEST_P(SlipTest, AWrongGyroIsSurvivedWithSightings) {
     for (const double scale : {180 / kPi<double>, -1.0}) {
         SCOPED_TRACE(scale);
-        Robot robot(GetParam(), params_with(HeadingSource::gyro), kMap);
-        Journey journey(kMap);
+        Robot robot(GetParam(), params_with(HeadingSource::gyro), kAroundOrigin);
+        Journey journey(kAroundOrigin);
         robot.add(journey.go(2, 0.2, 0));
         journey.gyro_scale = scale;
         robot.add(journey.go(kUnnoticed_s, 0.2, 0.3));
@@ -130,8 +122,8 @@ TEST_P(SlipTest, AWrongGyroIsSurvivedWithSightings) {
 
 /// A gyro that says nothing but zero looks like wheels that slip.
 TEST_P(SlipTest, AGyroStuckAtZeroIsPulledAlongBySightings) {
-    Robot robot(GetParam(), params_with(HeadingSource::gyro), kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), params_with(HeadingSource::gyro), kAroundOrigin);
+    Journey journey(kAroundOrigin);
     robot.add(journey.go(2, 0.2, 0));
     journey.gyro_scale = 0;
     for (int i = 0; i < 400; ++i) {
@@ -145,8 +137,8 @@ TEST_P(SlipTest, AGyroStuckAtZeroIsPulledAlongBySightings) {
 TEST_P(SlipTest, TenPercentOfScaleIsNone) {
     Params params = params_with(HeadingSource::gyro);
     params.wheels.track_width_m = 0.45;
-    Robot robot(GetParam(), params, kMap);
-    Journey journey(kMap);
+    Robot robot(GetParam(), params, kAroundOrigin);
+    Journey journey(kAroundOrigin);
     journey.camera = false;
     for (int i = 0; i < 100; ++i) {
         robot.add(journey.go(0.1, 0.3, 0.8));

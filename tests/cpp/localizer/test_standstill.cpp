@@ -11,13 +11,11 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(StandstillTest);
 
-constexpr double kBias = 0.004;  // rad/s: 14 degrees a minute
+constexpr double kBias_rad_s = 0.004;  // rad/s: 14 degrees a minute
 constexpr double kTick_rad = 0.002;
 
-const MarkerMap kMap = markers_around_origin();
-
 Journey without_camera() {
-    Journey journey(kMap);
+    Journey journey(kAroundOrigin);
     journey.camera = false;
     return journey;
 }
@@ -26,13 +24,14 @@ TEST_P(StandstillTest, NeitherHeadingNorItsVarianceDriftWithABiasedGyro) {
     Params params = gyro_params();
     params.gyro_bias.sigma = GetParam().states == kCalibratedStates ? 0.01 : 0;
     params.noise.position_m_per_sqrt_s = params.noise.heading_rad_per_sqrt_s = 0.01;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kAroundOrigin);
     Journey journey = without_camera();
-    journey.gyro_bias = kBias;
+    journey.gyro_bias = kBias_rad_s;
     robot.add(journey.go(2));
     EXPECT_EQ(robot.estimate().motion, MotionState::standing);
     const Estimate before = robot.estimate();
-    EXPECT_NEAR(before.pose[kHeading], 0, 0.55 * kBias) << "only the first window is believed";
+    EXPECT_NEAR(before.pose[kHeading], 0, 0.55 * kBias_rad_s)
+        << "only the first window is believed";
     robot.add(journey.go(120));
     const Estimate after = robot.estimate();
     EXPECT_NEAR(after.pose[kHeading], 0, std::abs(before.pose[kHeading]) + 1e-6);
@@ -46,12 +45,12 @@ TEST_P(StandstillTest, TeachesTheGyrosBias) {
     if (GetParam().states == kPoseStates) return;
     Params params = gyro_params();
     params.gyro_bias.sigma = 0.01;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kAroundOrigin);
     Journey journey = without_camera();
-    journey.gyro_bias = kBias;
+    journey.gyro_bias = kBias_rad_s;
     robot.add(journey.go(30));
     const double sigma = std::sqrt(robot.covariance()(kGyroBias, kGyroBias));
-    EXPECT_NEAR(robot.state()[kGyroBias], kBias, 1e-4);
+    EXPECT_NEAR(robot.state()[kGyroBias], kBias_rad_s, 1e-4);
     EXPECT_NEAR(sigma, 0.002 / std::sqrt(29), 1e-4) << "the gyro's noise over the time it stood";
     const double start = robot.pose()[kHeading];
     robot.add(journey.go(60, 0.5, 0.1));
@@ -63,18 +62,18 @@ TEST_P(StandstillTest, TeachesNothingWhereTheBiasIsFrozen) {
     if (GetParam().states == kPoseStates) return;
     Params params = gyro_params();
     params.distance_scale.sigma = 0.01;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kAroundOrigin);
     Journey journey = without_camera();
-    journey.gyro_bias = kBias;
+    journey.gyro_bias = kBias_rad_s;
     robot.add(journey.go(10));
     EXPECT_EQ(robot.estimate().motion, MotionState::standing);
     EXPECT_EQ(robot.state()[kGyroBias], 0);
 }
 
 /// Creeps and turns so slowly that its wheels tick now and then.
-double heading_lost(const Kind& kind, double tick_every_s, double seconds) {
+double heading_lost(const LocalizerKind& kind, double tick_every_s, double seconds) {
     Params params = gyro_params();
-    Robot robot(kind, params, kMap);
+    Robot robot(kind, params, kAroundOrigin);
     Journey journey = without_camera();
     const double omega = 2 * kTick_rad / tick_every_s;  // both wheels, against each other
     robot.add(journey.go(2));
@@ -107,16 +106,16 @@ TEST_P(StandstillTest, IsDecidedAnewByLateSamples) {
     Params params = gyro_params();
     params.gyro_bias.sigma = 0.01;
     params.history.window_s = 20;
-    Journey journey(kMap);
-    journey.gyro_bias = kBias;
+    Journey journey(kAroundOrigin);
+    journey.gyro_bias = kBias_rad_s;
     std::vector<Sample> samples = stop_and_go(journey);
-    Robot in_order(GetParam(), params, kMap);
+    Robot in_order(GetParam(), params, kAroundOrigin);
     in_order.add(samples);
     EXPECT_EQ(in_order.estimate().motion, MotionState::standing);
     std::mt19937 generator(3);
     for (int trial = 0; trial < 3; ++trial) {
         std::shuffle(samples.begin(), samples.end(), generator);
-        Robot robot(GetParam(), params, kMap);
+        Robot robot(GetParam(), params, kAroundOrigin);
         robot.add(samples);
         const double tolerance = GetParam().is_double ? 1e-12 : 1e-5;
         EXPECT_TRUE(close(robot.state(), in_order.state(), tolerance));
@@ -132,7 +131,7 @@ TEST_P(StandstillTest, EndsInThePastWhenALateTickComes) {
     Journey journey = without_camera();
     const std::vector<Sample> standing = journey.go(3);
     const std::int64_t tick_at = 2 * kSecond + kPeriod / 2;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kAroundOrigin);
     robot.add(standing);
     EXPECT_EQ(robot.estimate().motion, MotionState::standing);
     robot.add(encoders_at(tick_at, 1, 1));  // there and back
@@ -143,7 +142,7 @@ TEST_P(StandstillTest, EndsInThePastWhenALateTickComes) {
 }
 
 TEST_P(StandstillTest, ANewDriveBeginsWithItsFirstStep) {
-    Robot robot(GetParam(), gyro_params(), kMap);
+    Robot robot(GetParam(), gyro_params(), kAroundOrigin);
     Journey journey = without_camera();
     robot.add(journey.go(3));
     robot.add(journey.go(1, 0.5, 0.8));

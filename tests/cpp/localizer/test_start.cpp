@@ -11,7 +11,7 @@ namespace {
 PILOTAGE_LOCALIZER_SUITE(StartTest);
 
 /// No symmetry, no two distances alike, and high enough to tell the distance by the elevation.
-const MarkerMap kMap({{1, 6, 2, 2.5, 0}, {2, -3, 5, 2.2, 0}, {3, 2, -5, 2.0, 0}});
+const MarkerMap kOverheadMarkers({{1, 6, 2, 2.5, 0}, {2, -3, 5, 2.2, 0}, {3, 2, -5, 2.0, 0}});
 
 const Pose<double> kBegin(0.5, -0.4, 2);
 
@@ -27,7 +27,7 @@ void drive_until_found(Robot& robot, Journey& journey, double at_most_s) {
         robot.add(journey.go(0.1, 0.4, 0.3));
 }
 
-struct Sight {
+struct StartSight {
     const char* name;
     int markers;
     bool bearing, elevation, range, ids;
@@ -35,21 +35,23 @@ struct Sight {
 };
 
 TEST_P(StartTest, FindsThePoseFromWhateverTellsIt) {
-    for (const Sight& sight : {Sight{"3 bearings", 3, true, false, false, true, 1},
-                               Sight{"2 bearings and ranges", 2, true, false, true, true, 1},
-                               Sight{"2 bearings and elevations", 2, true, true, false, true, 2},
-                               Sight{"3 ranges", 3, false, false, true, true, 5},
-                               Sight{"no ids", 3, true, false, true, false, 1.5}}) {
+    for (const StartSight& sight :
+         {StartSight{"3 bearings", 3, true, false, false, true, 1},
+          StartSight{"2 bearings and ranges", 2, true, false, true, true, 1},
+          StartSight{"2 bearings and elevations", 2, true, true, false, true, 2},
+          StartSight{"3 ranges", 3, false, false, true, true, 5},
+          StartSight{"no ids", 3, true, false, true, false, 1.5}}) {
         SCOPED_TRACE(sight.name);
         for (unsigned seed = 1; seed <= 3; ++seed) {
-            const MarkerMap seen({kMap.markers().begin(), kMap.markers().begin() + sight.markers});
+            const MarkerMap seen({kOverheadMarkers.markers().begin(),
+                                  kOverheadMarkers.markers().begin() + sight.markers});
             Journey journey(seen, seed);
             journey.truth = kBegin;
             journey.bearing = sight.bearing;
             journey.elevation = sight.elevation;
             journey.range = sight.range;
             journey.ids = sight.ids;
-            Robot robot(GetParam(), nowhere(), kMap);
+            Robot robot(GetParam(), nowhere(), kOverheadMarkers);
             drive_until_found(robot, journey, sight.within_s);
             ASSERT_TRUE(robot.has_pose()) << "seed " << seed;
             const Estimate e = robot.estimate();
@@ -64,9 +66,9 @@ TEST_P(StartTest, FindsThePoseFromWhateverTellsIt) {
 }
 
 TEST_P(StartTest, SaysWhatItWaitsForUntilItIsOk) {
-    Journey journey(kMap);
+    Journey journey(kOverheadMarkers);
     journey.truth = kBegin;
-    Robot robot(GetParam(), nowhere(), kMap);
+    Robot robot(GetParam(), nowhere(), kOverheadMarkers);
     EXPECT_EQ(robot.estimate().reason, Reason::no_motion);
     robot.add(gyro_at(1, 0));
     std::vector<std::pair<Status, Reason>> said;
@@ -84,9 +86,9 @@ TEST_P(StartTest, SaysWhatItWaitsForUntilItIsOk) {
 }
 
 TEST_P(StartTest, CountsTheSightingsBeforeItAsNotInitialized) {
-    Journey journey(kMap);
+    Journey journey(kOverheadMarkers);
     journey.truth = kBegin;
-    Robot robot(GetParam(), nowhere(), kMap);
+    Robot robot(GetParam(), nowhere(), kOverheadMarkers);
     std::vector<Sample> before, after;
     while (!robot.has_pose() && before.size() < 1000)
         for (const Sample& sample : journey.go(0.02, 0.4, 0.3)) {
@@ -120,41 +122,37 @@ TEST_P(StartTest, CountsTheSightingsBeforeItAsNotInitialized) {
 
 TEST_P(StartTest, IsFoundWhateverTheTime) {
     for (const std::int64_t utime : {-1'000 * kSecond, std::int64_t{0}, 1'700'000'000 * kSecond}) {
-        Journey journey(kMap);
+        Journey journey(kOverheadMarkers);
         journey.truth = kBegin;
         journey.utime = utime;
-        Robot robot(GetParam(), nowhere(), kMap);
+        Robot robot(GetParam(), nowhere(), kOverheadMarkers);
         robot.add(journey.go(2, 0.4, 0.3));
         EXPECT_EQ(robot.estimate().status, Status::ok) << utime;
     }
 }
 
 TEST_P(StartTest, FromTwoBearingsThatStayTheSameIsNone) {
-    const MarkerMap seen({kMap.markers()[0], kMap.markers()[1]});
+    const MarkerMap seen({kOverheadMarkers.markers()[0], kOverheadMarkers.markers()[1]});
     Journey journey(seen);
     journey.truth = kBegin;
     journey.range = false;
-    Robot robot(GetParam(), nowhere(), kMap);
+    Robot robot(GetParam(), nowhere(), kOverheadMarkers);
     robot.add(journey.go(10));
     EXPECT_FALSE(robot.has_pose()) << "an arc of poses explains them, and it stands";
     EXPECT_NE(robot.estimate().status, Status::ok);
 }
-
-/// A rectangle looks the same from the other side.
-const std::vector<Marker> kRectangle{
-    {1, 5, 3, 0, 0}, {2, -5, 3, 0, 0}, {3, -5, -3, 0, 0}, {4, 5, -3, 0, 0}};
 
 struct Symmetric {
     MarkerMap map, seen{kRectangle};
     Journey journey{seen};
     Robot robot;
 
-    explicit Symmetric(const Kind& kind) : map(broken()), robot(kind, nowhere(), map) {
+    explicit Symmetric(const LocalizerKind& kind) : map(broken()), robot(kind, nowhere(), map) {
         journey.truth = kBegin;
         journey.ids = false;
     }
     [[nodiscard]] static MarkerMap broken() {
-        std::vector<Marker> markers = kRectangle;
+        std::vector<Marker> markers = kRectangle.markers();
         markers.push_back({5, 1, 6, 0, 0});
         return MarkerMap(markers);
     }
@@ -197,10 +195,10 @@ TEST_P(StartTest, OnASymmetricSiteIsDecidedByAPoseFromOutside) {
 
 /// Frames that come late, in pieces and in any order are put where they belong.
 TEST_P(StartTest, IsTheSameInWhateverOrderItsFramesArrive) {
-    Journey journey(kMap, 5);
+    Journey journey(kOverheadMarkers, 5);
     journey.truth = kBegin;
     const std::vector<Sample> ordered = journey.go(4, 0.4, 0.3);
-    Robot in_order(GetParam(), nowhere(), kMap);
+    Robot in_order(GetParam(), nowhere(), kOverheadMarkers);
     in_order.add(ordered);
     in_order.finish();
     ASSERT_TRUE(in_order.has_pose());
@@ -214,7 +212,7 @@ TEST_P(StartTest, IsTheSameInWhateverOrderItsFramesArrive) {
         }
         std::stable_sort(arrivals.begin(), arrivals.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
-        Robot late(GetParam(), nowhere(), kMap);
+        Robot late(GetParam(), nowhere(), kOverheadMarkers);
         for (const auto& [time, sample] : arrivals) late.add(sample);
         late.finish();
         EXPECT_EQ(in_order.state(), late.state());
@@ -229,10 +227,10 @@ TEST_P(StartTest, IsTheSameInWhateverOrderItsFramesArrive) {
 
 TEST_P(StartTest, IsNotMisledBySightingsOfOtherThings) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
-        Journey journey(kMap, seed);
+        Journey journey(kOverheadMarkers, seed);
         journey.truth = kBegin;
         Draw draw(seed);
-        Robot robot(GetParam(), nowhere(), kMap);
+        Robot robot(GetParam(), nowhere(), kOverheadMarkers);
         for (int frame = 0; frame < 40; ++frame) {
             for (Sample sample : journey.go(0.1, 0.4, 0.3)) {
                 if (sample.stream == Stream::sighting && draw.uniform(0, 1) < 0.2)

@@ -8,12 +8,12 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(StatusTest);
 
-const MarkerMap kMap({{1, 6, 2, 0.4, 0}, {2, 6, -2, 0, 0}});
+const MarkerMap kLeftAndRight({{1, 6, 2, 0.4, 0}, {2, 6, -2, 0, 0}});
 
 /// A robot that stands, told the time and shown a marker so many times: the two by turns, or one.
 void stand(Robot& robot, std::int64_t utime, int shown = 0, bool by_turns = true) {
     for (; shown > 0; --shown) {
-        const Marker& marker = kMap.markers()[by_turns ? shown % 2 : 0];
+        const Marker& marker = kLeftAndRight.markers()[by_turns ? shown % 2 : 0];
         robot.add(sighting_at(utime - shown, marker.id, view({0, 0, 0}, marker)));
     }
     robot.add(encoders_at(utime, 0, 0));
@@ -23,7 +23,7 @@ constexpr int kConfirming = Agreement::kConfirming;
 
 TEST_P(StatusTest, WaitsForAPoseAndForMotion) {
     Params params = plain_params();
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kLeftAndRight);
     EXPECT_EQ(robot.estimate().status, Status::waiting);
     robot.add(gyro_at(0, 0));
     EXPECT_EQ(robot.estimate().status, Status::waiting);
@@ -34,12 +34,12 @@ TEST_P(StatusTest, WaitsForAPoseAndForMotion) {
 }
 
 TEST_P(StatusTest, IsNotOkBeforeSightingsInARowConfirmThePose) {
-    Robot robot(GetParam(), plain_params(), kMap);
+    Robot robot(GetParam(), plain_params(), kLeftAndRight);
     for (int i = 0; i < 100; ++i) stand(robot, i * kPeriod);
     EXPECT_EQ(robot.estimate().status, Status::initializing);
     stand(robot, 100 * kPeriod, kConfirming - 1);
     EXPECT_EQ(robot.estimate().reason, Reason::unconfirmed);
-    Vector<double, 3> off = view({0, 0, 0}, kMap.markers()[0]);
+    Vector<double, 3> off = view({0, 0, 0}, kLeftAndRight.markers()[0]);
     off[0] += 1;
     robot.add(sighting_at(101 * kPeriod - 1, 1, off));  // the row is broken
     stand(robot, 101 * kPeriod);
@@ -51,7 +51,8 @@ TEST_P(StatusTest, IsNotOkBeforeSightingsInARowConfirmThePose) {
 
 TEST_P(StatusTest, IsConfirmedByTwoMarkersWhereTheMapHasThem) {
     for (const bool has_two : {true, false}) {
-        Robot robot(GetParam(), plain_params(), has_two ? kMap : MarkerMap({kMap.markers()[0]}));
+        Robot robot(GetParam(), plain_params(),
+                    has_two ? kLeftAndRight : MarkerMap({kLeftAndRight.markers()[0]}));
         stand(robot, 0);
         stand(robot, kSecond, 3 * kConfirming, false);
         if (has_two) {
@@ -68,7 +69,7 @@ TEST_P(StatusTest, IsConfirmedByTwoMarkersWhereTheMapHasThem) {
 }
 
 TEST_P(StatusTest, IsNotConfirmedByARejectedSighting) {
-    Robot robot(GetParam(), plain_params(), kMap);
+    Robot robot(GetParam(), plain_params(), kLeftAndRight);
     stand(robot, 0);
     robot.add(sighting_at(1, 77, {0.1, 0.1, 5}));
     stand(robot, kPeriod);
@@ -78,7 +79,7 @@ TEST_P(StatusTest, IsNotConfirmedByARejectedSighting) {
 TEST_P(StatusTest, BecomesDeadReckoningWithoutSightingsAndOkWithOne) {
     Params params = plain_params();
     params.status.dead_reckoning_after_s = 3;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kLeftAndRight);
     stand(robot, 0);
     stand(robot, kSecond, kConfirming);
     stand(robot, 4 * kSecond - 1);
@@ -96,7 +97,7 @@ TEST_P(StatusTest, IsOkOnlyWhereThe95PercentRadiusIsBelowTheAlertLimit) {
         params.initial.sigma_position_m = 0.2;
         params.sensors[0].sigma_bearing_rad = 1e3;  // confirms and tells nothing
         params.status.alert_limit_m = 0.2 * 2.4477 * (below ? 1.01 : 0.99);
-        Robot robot(GetParam(), params, kMap);
+        Robot robot(GetParam(), params, kLeftAndRight);
         stand(robot, 0);
         for (int i = 1; i <= kConfirming; ++i)
             robot.add(sighting_at(i, 1 + i % 2, {0.3, kNan, kNan}));
@@ -108,7 +109,7 @@ TEST_P(StatusTest, IsOkOnlyWhereThe95PercentRadiusIsBelowTheAlertLimit) {
 TEST_P(StatusTest, CountsTheLongAxisOfTheEllipse) {
     Params params = plain_params();
     params.status.alert_limit_m = 1;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kLeftAndRight);
     stand(robot, 0);
     // Along the diagonal sigma is 0.5 m, across it 0.01 m; x and y alone have 0.35 m.
     Sample reset = reset_at(1, {0, 0, 0}, {1, 1, 0.01});
@@ -130,7 +131,7 @@ TEST_P(StatusTest, FallsBackWhenTheDriveMakesThePoseUnsure) {
     params.noise.position_m_per_sqrt_m = 0.3;
     params.status.alert_limit_m = 1;
     params.status.dead_reckoning_after_s = 1e6;
-    Robot robot(GetParam(), params, kMap);
+    Robot robot(GetParam(), params, kLeftAndRight);
     stand(robot, 0);
     stand(robot, kPeriod, kConfirming);
     bool was_ok = false;

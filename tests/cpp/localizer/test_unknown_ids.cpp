@@ -11,7 +11,7 @@ namespace {
 
 PILOTAGE_LOCALIZER_SUITE(UnknownIdTest);
 
-const MarkerMap kMap(
+const MarkerMap kTwoSideBySide(
     {{1, 6, 2, 0.4, 0}, {2, -3, 5, 0.3, 0}, {3, 4, -4, 0.2, 0}, {4, 4, -4.1, 0.2, 0}});
 
 std::vector<Sample> without_ids(std::vector<Sample> samples) {
@@ -30,14 +30,15 @@ std::vector<Sample> stand_and_see(const std::vector<Vector<double, 3>>& seen) {
 }
 
 Vector<double, 3> seen_of(int id) {
-    return view({0, 0, 0}, *kMap.find(id));
+    return view({0, 0, 0}, *kTwoSideBySide.find(id));
 }
 
 TEST_P(UnknownIdTest, AreFusedAsOfTheMarkerFound) {
     std::vector<Sample> anonymous = stand_and_see({seen_of(2), seen_of(1)}), named = anonymous;
     named[1].payload.sighting.id = 2;
     named[2].payload.sighting.id = 1;
-    Robot found(GetParam(), plain_params(), kMap), known(GetParam(), plain_params(), kMap);
+    Robot found(GetParam(), plain_params(), kTwoSideBySide),
+        known(GetParam(), plain_params(), kTwoSideBySide);
     found.add(anonymous);
     known.add(named);
     EXPECT_EQ(found.state(), known.state());
@@ -51,7 +52,7 @@ TEST_P(UnknownIdTest, AreFusedAsOfTheMarkerFound) {
 
 TEST_P(UnknownIdTest, ThatCannotBeToldSayWhy) {
     const auto samples = stand_and_see({{2, kNan, 3}, seen_of(3), seen_of(1)});
-    Robot robot(GetParam(), plain_params(), kMap);
+    Robot robot(GetParam(), plain_params(), kTwoSideBySide);
     robot.add(samples);
     const Verdict expected[] = {Verdict::no_match, Verdict::ambiguous_match, Verdict::fused};
     ASSERT_EQ(robot.tally.reports.size(), 3U);
@@ -68,7 +69,7 @@ TEST_P(UnknownIdTest, UseWhatTheFrameKnowsBeforeAndAfterThem) {
     for (const std::size_t named : {1U, 2U}) {
         auto samples = stand_and_see({seen_of(3), seen_of(3)});
         samples[named].payload.sighting.id = 4;
-        Robot robot(GetParam(), plain_params(), kMap);
+        Robot robot(GetParam(), plain_params(), kTwoSideBySide);
         robot.add(samples);
         ASSERT_EQ(robot.tally.reports.size(), 2U);
         EXPECT_EQ(robot.tally.reports[2 - named].id, 3);
@@ -78,7 +79,7 @@ TEST_P(UnknownIdTest, UseWhatTheFrameKnowsBeforeAndAfterThem) {
 TEST_P(UnknownIdTest, OfOtherFramesAreNoRivals) {
     auto samples = stand_and_see({seen_of(1), seen_of(1)});
     samples[2].seq = 1;
-    Robot robot(GetParam(), plain_params(), kMap);
+    Robot robot(GetParam(), plain_params(), kTwoSideBySide);
     robot.add(samples);
     EXPECT_EQ(robot.tally.count(Verdict::fused), 5) << "one marker in two frames";
 }
@@ -86,7 +87,7 @@ TEST_P(UnknownIdTest, OfOtherFramesAreNoRivals) {
 TEST_P(UnknownIdTest, OfAFrameWithoutEndAreTakenInParts) {
     std::vector<Vector<double, 3>> many(100, Vector<double, 3>(2, kNan, 3));
     many[70] = seen_of(1);
-    Robot robot(GetParam(), plain_params(), kMap);
+    Robot robot(GetParam(), plain_params(), kTwoSideBySide);
     robot.add(stand_and_see(many));
     EXPECT_EQ(robot.tally.count(Verdict::no_match), 99);
     EXPECT_EQ(robot.tally.reports[70].id, 1);
@@ -94,7 +95,7 @@ TEST_P(UnknownIdTest, OfAFrameWithoutEndAreTakenInParts) {
 
 /// Whatever comes late, and frames in pieces: the estimate is that of the right order.
 TEST_P(UnknownIdTest, InAnyOrderGiveTheSame) {
-    const MarkerMap map = markers_around_origin();
+    const MarkerMap& map = kAroundOrigin;
     const std::vector<Sample> ordered = without_ids(Journey(map, 3).go(6, 0.4, 0.4));
     std::vector<std::pair<double, Sample>> arrivals;
     Draw draw(8);
@@ -157,7 +158,7 @@ TEST_P(UnknownIdTest, TakeNothingFromTheHeap) {
         void on_verdict(const Sample&, Verdict, Verdict) override {}
         void on_sighting(const SightingReport&) override {}
     } nobody;
-    const MarkerMap map = markers_around_origin();
+    const MarkerMap& map = kAroundOrigin;
     const auto samples = without_ids(Journey(map, 3).go(10, 0.4, 0.4));
     Localizer<double, kPoseStates> localizer(gyro_params(), map, nobody);
     const AllocationCount allocations;

@@ -15,7 +15,7 @@ template <typename Scalar>
 using State = Vector<Scalar, kVelocityStates>;
 
 template <typename Scalar>
-State<Scalar> state(const Pose<Scalar>& pose, const Vector<Scalar, 2>& velocity) {
+State<Scalar> moving_state(const Pose<Scalar>& pose, const Vector<Scalar, 2>& velocity) {
     State<Scalar> x;
     x << pose, velocity;
     return x;
@@ -49,7 +49,7 @@ TYPED_TEST(ConstantVelocityTest, WithoutAccelerationItIsTheExactArc) {
     for (const auto& pose : poses<TypeParam>())
         for (const auto& velocity : travels<TypeParam>()) {
             const auto step = ConstantVelocity<TypeParam>{TypeParam(0.1)}.linearize(
-                state(pose, velocity), {0, 0});
+                moving_state(pose, velocity), {0, 0});
             const auto drive =
                 Velocity<TypeParam, Chord::arc>{TypeParam(0.1)}.linearize(pose, velocity);
             EXPECT_EQ((Pose<TypeParam>(step.next.template head<3>())), drive.next);
@@ -59,7 +59,7 @@ TYPED_TEST(ConstantVelocityTest, WithoutAccelerationItIsTheExactArc) {
 
 TYPED_TEST(ConstantVelocityTest, StepCutInTwoEndsWhereTheWholeStepEnds) {
     for (const auto& velocity : travels<TypeParam>()) {
-        const auto start = state<TypeParam>({1, 2, 3}, velocity);
+        const auto start = moving_state<TypeParam>({1, 2, 3}, velocity);
         const auto middle =
             ConstantVelocity<TypeParam>{TypeParam(0.3)}.linearize(start, {0, 0}).next;
         EXPECT_TRUE(same_pose<TypeParam>(
@@ -72,10 +72,11 @@ TYPED_TEST(ConstantVelocityTest, StepCutInTwoEndsWhereTheWholeStepEnds) {
 }
 
 TYPED_TEST(ConstantVelocityTest, StraightAccelerationAddsHalfOfItTimesTheTimeSquared) {
-    const auto next = ConstantVelocity<TypeParam>{2}
-                          .linearize(state<TypeParam>({0, 0, 0}, {1, 0}), {TypeParam(0.5), 0})
-                          .next;
-    EXPECT_TRUE(close(next, state<TypeParam>({3, 0, 0}, {2, 0}), kTight<TypeParam>));
+    const auto next =
+        ConstantVelocity<TypeParam>{2}
+            .linearize(moving_state<TypeParam>({0, 0, 0}, {1, 0}), {TypeParam(0.5), 0})
+            .next;
+    EXPECT_TRUE(close(next, moving_state<TypeParam>({3, 0, 0}, {2, 0}), kTight<TypeParam>));
 }
 
 TYPED_TEST(ConstantVelocityTest, JacobiansAreDerivatives) {
@@ -83,20 +84,20 @@ TYPED_TEST(ConstantVelocityTest, JacobiansAreDerivatives) {
     for (const auto& pose : poses<TypeParam>())
         for (const auto& velocity : travels<TypeParam>())
             for (const auto& u : {Vector<TypeParam, 2>(0, 0), draw.normal<TypeParam, 2>()})
-                expect_jacobians(ConstantVelocity<TypeParam>{TypeParam(0.1)}, state(pose, velocity),
-                                 u);
+                expect_jacobians(ConstantVelocity<TypeParam>{TypeParam(0.1)},
+                                 moving_state(pose, velocity), u);
 }
 
 TYPED_TEST(ConstantVelocityTest, WheelsTravelBySpeedAndTurn) {
     const WheelTravel<TypeParam> wheels{TypeParam(0.5), 2};
-    const auto left_turn = state<TypeParam>({1, 2, 3}, {1, TypeParam(0.4)});
+    const auto left_turn = moving_state<TypeParam>({1, 2, 3}, {1, TypeParam(0.4)});
     const Vector<TypeParam, 2> travel(TypeParam(1.8), TypeParam(2.2));  // left, right
     EXPECT_TRUE(close(wheels.linearize(left_turn).value, travel, kTight<TypeParam>));
     expect_jacobians(wheels, left_turn);
 }
 
 TYPED_TEST(ConstantVelocityTest, SensorsOfTheVelocitiesSeeThemAsTheyAre) {
-    const auto x = state<TypeParam>({1, 2, 3}, {4, 5});
+    const auto x = moving_state<TypeParam>({1, 2, 3}, {4, 5});
     const Speed<TypeParam> encoders;
     const YawRate<TypeParam> gyro;
     EXPECT_EQ(encoders.linearize(x.template head<4>()).value[0], 4);

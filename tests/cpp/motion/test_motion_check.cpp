@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kStep_s = 1.0 / 64;  // 32 of them are a window, without rounding
 constexpr int kWindow = 32;
-constexpr double kTick_rad = 0.002;
-constexpr RotationTolerance kTolerance{4e-6, 0, kTick_rad};
+constexpr double kTurnOfATick_rad = 0.002;
+constexpr RotationTolerance kTolerance{4e-6, 0, kTurnOfATick_rad};
 
 /// So much turn a second, as wheels and gyro have it.
 RotationStep step(bool ticked, double wheel_rad_s, std::optional<double> gyro_rad_s) {

@@ -10,24 +10,24 @@
 namespace pilotage::test {
 namespace {
 
-constexpr double kPeriod = 0.02;  // s
+constexpr double kDt_s = 0.02;  // s
 
-struct Travel {
+struct Travelled {
     TickFault fault;
     double left_m, right_m;
 };
 
 /// From the first counts to the second, at 1 mm a tick.
-Travel travel(const EncoderTicks& from, const EncoderTicks& to, double dt_s = kPeriod,
-              const WheelParams& wheels = {}) {
+Travelled travel(const EncoderTicks& from, const EncoderTicks& to, double dt_s = kDt_s,
+                 const WheelParams& wheels = {}) {
     TickCounter counter;
     counter.start(from);
-    Travel result{TickFault::none, -99, -99};
+    Travelled result{TickFault::none, -99, -99};
     result.fault = counter.advance(to, dt_s, wheels, result.left_m, result.right_m);
     return result;
 }
 
-void expect_travel(const Travel& actual, TickFault fault, double left_m, double right_m) {
+void expect_travel(const Travelled& actual, TickFault fault, double left_m, double right_m) {
     EXPECT_EQ(int(actual.fault), int(fault));
     EXPECT_NEAR(actual.left_m, left_m, 1e-12);
     EXPECT_NEAR(actual.right_m, right_m, 1e-12);
@@ -42,7 +42,7 @@ TEST(TickCounterTest, HasAScaleAndASignForEachWheel) {
     WheelParams wheels;
     wheels.left_m_per_tick = -0.002;
     wheels.right_m_per_tick = 0.0005;
-    expect_travel(travel({0, 0}, {-10, 10}, kPeriod, wheels), TickFault::none, 0.020, 0.005);
+    expect_travel(travel({0, 0}, {-10, 10}, kDt_s, wheels), TickFault::none, 0.020, 0.005);
 }
 
 TEST(TickCounterTest, CountsOnFromTheLastCounts) {
@@ -50,7 +50,7 @@ TEST(TickCounterTest, CountsOnFromTheLastCounts) {
     counter.start({100, 200});
     double left = 0, right = 0, left_sum = 0, right_sum = 0;
     for (int i = 1; i <= 1000; ++i) {
-        EXPECT_EQ(counter.advance({100 + 7 * i, 200 - 3 * i}, kPeriod, {}, left, right),
+        EXPECT_EQ(counter.advance({100 + 7 * i, 200 - 3 * i}, kDt_s, {}, left, right),
                   TickFault::none);
         left_sum += left;
         right_sum += right;
@@ -84,8 +84,8 @@ TEST(TickCounterTest, CountsOnAfterAReset) {
     TickCounter counter;
     counter.start({50'000, 50'000});
     double left = 0, right = 0;
-    EXPECT_EQ(counter.advance({0, 0}, kPeriod, {}, left, right), TickFault::reset);
-    EXPECT_EQ(counter.advance({5, 6}, kPeriod, {}, left, right), TickFault::none);
+    EXPECT_EQ(counter.advance({0, 0}, kDt_s, {}, left, right), TickFault::reset);
+    EXPECT_EQ(counter.advance({5, 6}, kDt_s, {}, left, right), TickFault::none);
     EXPECT_NEAR(left, 0.005, 1e-12);
     EXPECT_NEAR(right, 0.006, 1e-12);
 }
@@ -104,7 +104,7 @@ TEST(TickCounterTest, SurvivesAnyTwoNumbers) {
     constexpr std::int64_t high = std::numeric_limits<std::int64_t>::max();
     for (const std::int64_t from : {low, low + 1, std::int64_t{0}, high - 1, high})
         for (const std::int64_t to : {low, std::int64_t{-1}, std::int64_t{0}, high}) {
-            const Travel result = travel({from, to}, {to, from});
+            const Travelled result = travel({from, to}, {to, from});
             EXPECT_LE(std::abs(result.left_m), 10.0) << from << " to " << to;
             EXPECT_LE(std::abs(result.right_m), 10.0) << from << " to " << to;
         }

@@ -9,9 +9,9 @@ namespace {
 PILOTAGE_SUITE(UnicycleTest);
 
 template <typename Scalar>
-using Arc = Unicycle<Scalar, Chord::arc>;
+using ArcUnicycle = Unicycle<Scalar, Chord::arc>;
 template <typename Scalar>
-using Midpoint = Unicycle<Scalar, Chord::midpoint>;
+using MidpointUnicycle = Unicycle<Scalar, Chord::midpoint>;
 
 template <typename Scalar>
 using Travel = Vector<Scalar, 2>;  // distance [m], turn [rad]
@@ -28,15 +28,15 @@ TYPED_TEST(UnicycleTest, StraightDriveKeepsHeading) {
     const Pose<TypeParam> start(1, 2, TypeParam(0.5));
     const Pose<TypeParam> end(1 + 3 * std::cos(TypeParam(0.5)), 2 + 3 * std::sin(TypeParam(0.5)),
                               TypeParam(0.5));
-    EXPECT_TRUE(same_pose<TypeParam>(Arc<TypeParam>{}.linearize(start, {3, 0}).next, end,
+    EXPECT_TRUE(same_pose<TypeParam>(ArcUnicycle<TypeParam>{}.linearize(start, {3, 0}).next, end,
                                      kTight<TypeParam>));
-    EXPECT_TRUE(same_pose<TypeParam>(Midpoint<TypeParam>{}.linearize(start, {3, 0}).next, end,
-                                     kTight<TypeParam>));
+    EXPECT_TRUE(same_pose<TypeParam>(MidpointUnicycle<TypeParam>{}.linearize(start, {3, 0}).next,
+                                     end, kTight<TypeParam>));
 }
 
 TYPED_TEST(UnicycleTest, TurnOnTheSpotKeepsPosition) {
     const Pose<TypeParam> start(1, 2, 3);
-    const auto next = Arc<TypeParam>{}.linearize(start, {0, 1}).next;
+    const auto next = ArcUnicycle<TypeParam>{}.linearize(start, {0, 1}).next;
     EXPECT_EQ(next.template head<2>(), start.template head<2>());
     EXPECT_NEAR(next[kHeading], 4 - 2 * kPi<TypeParam>, kTight<TypeParam>);
 }
@@ -47,15 +47,16 @@ TYPED_TEST(UnicycleTest, MidpointIsThePaperToTheLetter) {  // eqs. 16 to 18
             const TypeParam middle = x[kHeading] + u[1] / 2;
             const Pose<TypeParam> expected(x[kX] + u[0] * std::cos(middle),
                                            x[kY] + u[0] * std::sin(middle), x[kHeading] + u[1]);
-            EXPECT_TRUE(same_pose<TypeParam>(Midpoint<TypeParam>{}.linearize(x, u).next, expected,
-                                             50 * kTight<TypeParam>));
+            EXPECT_TRUE(same_pose<TypeParam>(MidpointUnicycle<TypeParam>{}.linearize(x, u).next,
+                                             expected, 50 * kTight<TypeParam>));
         }
 }
 
 TYPED_TEST(UnicycleTest, SlipTurnsTheDirectionOfTravelButNotTheRobot) {
     const TypeParam slip = TypeParam(0.2);
-    const auto slipping = Arc<TypeParam>{slip}.linearize({0, 0, 0}, {2, TypeParam(0.3)}).next;
-    const auto turned = Arc<TypeParam>{}.linearize({0, 0, slip}, {2, TypeParam(0.3)}).next;
+    const auto slipping =
+        ArcUnicycle<TypeParam>{slip}.linearize({0, 0, 0}, {2, TypeParam(0.3)}).next;
+    const auto turned = ArcUnicycle<TypeParam>{}.linearize({0, 0, slip}, {2, TypeParam(0.3)}).next;
     EXPECT_TRUE(close(slipping.template head<2>(), turned.template head<2>(), kTight<TypeParam>));
     EXPECT_NEAR(slipping[kHeading], 0.3, kTight<TypeParam>);
 }
@@ -68,7 +69,7 @@ Pose<Scalar> in_two_steps(const Model& model, const Pose<Scalar>& start, const T
 }
 
 TYPED_TEST(UnicycleTest, ArcCutInTwoEndsWhereTheWholeArcEnds) {
-    const Arc<TypeParam> model{TypeParam(-0.08)};
+    const ArcUnicycle<TypeParam> model{TypeParam(-0.08)};
     for (const auto& u : travels<TypeParam>())
         for (const TypeParam cut : {TypeParam(0.25), TypeParam(0.5), TypeParam(0.9)}) {
             const Pose<TypeParam> start(1, 2, 3);
@@ -81,7 +82,7 @@ TYPED_TEST(UnicycleTest, ArcCutInTwoEndsWhereTheWholeArcEnds) {
 TYPED_TEST(UnicycleTest, MidpointCutInTwoEndsElsewhere) {
     const Pose<TypeParam> start(0, 0, 0);
     const Travel<TypeParam> u(1, 1);
-    const Midpoint<TypeParam> model;
+    const MidpointUnicycle<TypeParam> model;
     EXPECT_FALSE(same_pose<TypeParam>(in_two_steps(model, start, u, TypeParam(0.5)),
                                       model.linearize(start, u).next, 1e-2));
 }
@@ -90,7 +91,7 @@ TYPED_TEST(UnicycleTest, MidpointCutInTwoEndsElsewhere) {
 TYPED_TEST(UnicycleTest, ChordSeriesJoinsTheClosedForm) {
     for (long double turn : {1e-3L, 0.05L, 0.0999999L, 0.1L, 0.1000001L, 0.15L, 0.5L}) {
         turn = TypeParam(turn);
-        const auto step = Arc<TypeParam>{}.linearize({0, 0, 0}, {1, TypeParam(turn)});
+        const auto step = ArcUnicycle<TypeParam>{}.linearize({0, 0, 0}, {1, TypeParam(turn)});
         const long double half = turn / 2, chord = std::sin(half) / half;
         const long double slope = (std::cos(half) - chord) / turn;
         const double digits = 10 * std::numeric_limits<TypeParam>::epsilon();
@@ -105,9 +106,9 @@ TYPED_TEST(UnicycleTest, ChordSeriesJoinsTheClosedForm) {
 TYPED_TEST(UnicycleTest, JacobiansAreDerivatives) {
     for (const auto& x : poses<TypeParam>())
         for (const auto& u : travels<TypeParam>()) {
-            expect_jacobians(Arc<TypeParam>{}, x, u);
-            expect_jacobians(Arc<TypeParam>{TypeParam(-0.08)}, x, u);
-            expect_jacobians(Midpoint<TypeParam>{}, x, u);
+            expect_jacobians(ArcUnicycle<TypeParam>{}, x, u);
+            expect_jacobians(ArcUnicycle<TypeParam>{TypeParam(-0.08)}, x, u);
+            expect_jacobians(MidpointUnicycle<TypeParam>{}, x, u);
         }
 }
 

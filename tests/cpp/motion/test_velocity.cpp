@@ -9,11 +9,11 @@ namespace {
 PILOTAGE_SUITE(VelocityTest);
 
 template <typename Scalar>
-using Euler = Velocity<Scalar, Chord::tangent>;
+using EulerVelocity = Velocity<Scalar, Chord::tangent>;
 template <typename Scalar>
-using Midpoint = Velocity<Scalar, Chord::midpoint>;
+using MidpointVelocity = Velocity<Scalar, Chord::midpoint>;
 template <typename Scalar>
-using Arc = Velocity<Scalar, Chord::arc>;
+using ArcVelocity = Velocity<Scalar, Chord::arc>;
 
 template <typename Scalar>
 using Rates = Vector<Scalar, 2>;  // speed [m/s], yaw rate [rad/s]
@@ -30,7 +30,7 @@ TYPED_TEST(VelocityTest, EulerIsTheFormulaToTheLetter) {  // eqs. 5 and 6 of Koh
     for (const auto& x : poses<TypeParam>())
         for (const auto& u : travels<TypeParam>()) {
             const TypeParam c = std::cos(x[kHeading]), s = std::sin(x[kHeading]);
-            const auto step = Euler<TypeParam>{dt}.linearize(x, u);
+            const auto step = EulerVelocity<TypeParam>{dt}.linearize(x, u);
             const Pose<TypeParam> expected(x[kX] + u[0] * c * dt, x[kY] + u[0] * s * dt,
                                            x[kHeading] + u[1] * dt);
             EXPECT_TRUE(same_pose<TypeParam>(step.next, expected, 50 * kTight<TypeParam>));
@@ -46,7 +46,7 @@ TEST(Velocity, WheelNoiseGivesKohlersQAsItShouldRead) {
     const double dt = 0.033, b = 0.287, variance = 0.01, heading = 0.7;
     Matrix<double, 2> gamma;  // of ((right + left) / 2, (right - left) / b)
     gamma << variance / 2, 0, 0, 2 * variance / (b * b);
-    const auto by_u = Euler<double>{dt}.linearize({1, 2, heading}, {0.2, 0.5}).b;
+    const auto by_u = EulerVelocity<double>{dt}.linearize({1, 2, heading}, {0.2, 0.5}).b;
     const double c = std::cos(heading), s = std::sin(heading);
     Matrix<double, 3> q;
     q << c * c / 2, c * s / 2, 0, c * s / 2, s * s / 2, 0, 0, 0, 2 / (b * b);
@@ -60,8 +60,9 @@ double error_after_a_second(double dt_s, Chord chord) {
     const auto drive = [&](const auto& model) {
         for (int i = 0; i < std::lround(1 / dt_s); ++i) x = model.linearize(x, u).next;
     };
-    chord == Chord::tangent ? drive(Euler<double>{dt_s}) : drive(Midpoint<double>{dt_s});
-    return (x - Arc<double>{1}.linearize({0, 0, 0}, u).next).head<2>().norm();
+    chord == Chord::tangent ? drive(EulerVelocity<double>{dt_s})
+                            : drive(MidpointVelocity<double>{dt_s});
+    return (x - ArcVelocity<double>{1}.linearize({0, 0, 0}, u).next).head<2>().norm();
 }
 
 TEST(Velocity, EulersErrorIsOfFirstOrderAndTheMidpointsOfSecond) {
@@ -77,17 +78,17 @@ TYPED_TEST(VelocityTest, ArcCutInTwoEndsWhereTheWholeArcEnds) {
     const TypeParam slip = TypeParam(0.1);
     for (const auto& u : travels<TypeParam>()) {
         const Pose<TypeParam> start(1, 2, 3);
-        const auto middle = Arc<TypeParam>{TypeParam(0.3), slip}.linearize(start, u).next;
+        const auto middle = ArcVelocity<TypeParam>{TypeParam(0.3), slip}.linearize(start, u).next;
         EXPECT_TRUE(same_pose<TypeParam>(
-            Arc<TypeParam>{TypeParam(0.7), slip}.linearize(middle, u).next,
-            Arc<TypeParam>{1, slip}.linearize(start, u).next, kTight<TypeParam>));
+            ArcVelocity<TypeParam>{TypeParam(0.7), slip}.linearize(middle, u).next,
+            ArcVelocity<TypeParam>{1, slip}.linearize(start, u).next, kTight<TypeParam>));
     }
 }
 
 // Eqs. 36 and 37 of Tamas et al. 2008, whose beta is minus the slip angle.
 TEST(Velocity, CourseIsHeadingPlusSlipAngle) {
     const double heading = 0.4, beta = 0.15, t = 0.1, v = 1.2;
-    const auto next = Euler<double>{t, -beta}.linearize({1, 2, heading}, {v, 0}).next;
+    const auto next = EulerVelocity<double>{t, -beta}.linearize({1, 2, heading}, {v, 0}).next;
     const Pose<double> expected(1 + t * v * std::cos(heading - beta),
                                 2 + t * v * std::sin(heading - beta), heading);
     EXPECT_TRUE(same_pose<double>(next, expected, 1e-15));
@@ -97,9 +98,9 @@ TYPED_TEST(VelocityTest, JacobiansAreDerivatives) {
     for (const TypeParam dt : {TypeParam(0.04), TypeParam(1.5)})
         for (const auto& x : poses<TypeParam>())
             for (const auto& u : travels<TypeParam>()) {
-                expect_jacobians(Euler<TypeParam>{dt}, x, u);
-                expect_jacobians(Midpoint<TypeParam>{dt}, x, u);
-                expect_jacobians(Arc<TypeParam>{dt, TypeParam(0.1)}, x, u);
+                expect_jacobians(EulerVelocity<TypeParam>{dt}, x, u);
+                expect_jacobians(MidpointVelocity<TypeParam>{dt}, x, u);
+                expect_jacobians(ArcVelocity<TypeParam>{dt, TypeParam(0.1)}, x, u);
             }
 }
 
@@ -119,7 +120,7 @@ TEST(LinearizedVelocity, MovesTheCovarianceByTheExponentialOfTheKinematics) {
             kinematics(kY, kHeading) = u[0] * std::cos(x[kHeading]);
             const auto step = LinearizedVelocity<double>{dt}.linearize(x, u);
             EXPECT_TRUE(close(step.a.dense(), exponential(kinematics * dt), 1e-15));
-            const auto exact = Arc<double>{dt}.linearize(x, u);
+            const auto exact = ArcVelocity<double>{dt}.linearize(x, u);
             EXPECT_EQ(step.next, exact.next);
             EXPECT_EQ(step.b, exact.b);
         }

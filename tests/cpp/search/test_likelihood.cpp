@@ -11,14 +11,10 @@
 namespace pilotage::test {
 namespace {
 
-const MarkerMap kYard = yard();
-const Site kSite(kYard);
-const Pose<double> kRobot(1, 2, 0.5);
-
-Explanation explained(const Vector<double, 3>& z, int id, const Pose<double>& robot = kRobot,
+Explanation explained(const Vector<double, 3>& z, int id, const Pose<double>& robot = kInYard,
                       double drift_m2 = 0, double drift_rad2 = 0, const SensorParams& sensor = {}) {
     const Sighting sighting{{z[0], z[1], z[2]}, {kNan, kNan, kNan}, id, -1};
-    const View view = view_of(sighting, sensor, kYard, kSite, {0, 0, 0}, drift_m2, drift_rad2);
+    const View view = view_of(sighting, sensor, kYard, kYardSite, {0, 0, 0}, drift_m2, drift_rad2);
     return explain(view, Frame(robot), kYard);
 }
 
@@ -36,10 +32,10 @@ TEST(LikelihoodTest, OfBearingsIntegratesToOneWithAndWithoutAnId) {
 
 TEST(LikelihoodTest, OfAnExactSightingIsTheGaussiansPeakAndTheClutter) {
     const SensorParams sensor;
-    const Vector<double, 3> z = view(kRobot, kYard.markers()[4], sensor);
+    const Vector<double, 3> z = view(kInYard, kYard.markers()[4], sensor);
     const double peak = 1 / (std::pow(2 * kPi<double>, 1.5) * sensor.sigma_bearing_rad *
                              sensor.sigma_elevation_rad * sensor.sigma_range_m);
-    const double clutter = 1 / (2 * kPi<double> * kPi<double> * kSite.reach_m);
+    const double clutter = 1 / (2 * kPi<double> * kPi<double> * kYardSite.reach_m);
     const Explanation e = explained(z, 4);
     EXPECT_NEAR(e.log_likelihood, std::log((1 - kClutter) * peak + kClutter * clutter), 1e-9);
     EXPECT_EQ(e.marker, &kYard.markers()[4]);
@@ -47,15 +43,15 @@ TEST(LikelihoodTest, OfAnExactSightingIsTheGaussiansPeakAndTheClutter) {
 }
 
 TEST(LikelihoodTest, WithoutAnIdAMarkerIsOneOfTen) {
-    const Vector<double, 3> z = view(kRobot, kYard.markers()[4]);
+    const Vector<double, 3> z = view(kInYard, kYard.markers()[4]);
     const double known = std::exp(explained(z, 4).log_likelihood);
     const double unknown = std::exp(explained(z, -1).log_likelihood);
-    const double clutter = kClutter / (2 * kPi<double> * kPi<double> * kSite.reach_m);
+    const double clutter = kClutter / (2 * kPi<double> * kPi<double> * kYardSite.reach_m);
     EXPECT_NEAR((unknown - clutter) / (known - clutter), 0.1, 1e-3);
 }
 
 TEST(LikelihoodTest, OfAGrossOutlierIsClutterAndBelievedOfNone) {
-    Vector<double, 3> z = only(view(kRobot, kYard.markers()[4]), true, false, false);
+    Vector<double, 3> z = only(view(kInYard, kYard.markers()[4]), true, false, false);
     z[0] = wrap(z[0] + 1);
     const Explanation e = explained(z, 4);
     EXPECT_NEAR(e.log_likelihood, std::log(kClutter / (2 * kPi<double>)), 1e-12);
@@ -64,9 +60,9 @@ TEST(LikelihoodTest, OfAGrossOutlierIsClutterAndBelievedOfNone) {
 
 TEST(LikelihoodTest, DriftWidensWhatItReaches) {
     const Marker& marker = kYard.markers()[4];
-    const Vector<double, 3> z = view(kRobot, marker);
-    const double ground = std::hypot(marker.x_m - kRobot[kX], marker.y_m - kRobot[kY]);
-    const Match match = explained(only(z, true, false, true), 4, kRobot, 0.01, 0.0004).match;
+    const Vector<double, 3> z = view(kInYard, marker);
+    const double ground = std::hypot(marker.x_m - kInYard[kX], marker.y_m - kInYard[kY]);
+    const Match match = explained(only(z, true, false, true), 4, kInYard, 0.01, 0.0004).match;
     const SensorParams sensor;
     const double bearing =
         sensor.sigma_bearing_rad * sensor.sigma_bearing_rad + 0.0004 + 0.01 / (ground * ground);
@@ -81,7 +77,7 @@ TEST(LikelihoodTest, DriftWidensWhatItReaches) {
 TEST(LikelihoodTest, AMarkerThatTheMapDoesNotKnowSaysNothing) {
     const Sighting sighting{{0.1, kNan, kNan}, {kNan, kNan, kNan}, 77, -1};
     const SensorParams as_usual;
-    EXPECT_EQ(view_of(sighting, as_usual, kYard, kSite).measured, 0);
+    EXPECT_EQ(view_of(sighting, as_usual, kYard, kYardSite).measured, 0);
 }
 
 TEST(LikelihoodTest, TheDerivativesAreThoseOfTheFittedComponents) {
@@ -90,12 +86,12 @@ TEST(LikelihoodTest, TheDerivativesAreThoseOfTheFittedComponents) {
     sensor.y_m = -0.3;
     sensor.yaw_rad = 1;
     const Marker& marker = kYard.markers()[7];
-    const Vector<double, 3> z = view(kRobot, marker, sensor);
-    const Match match = explained(z, 7, kRobot, 0, 0, sensor).match;
+    const Vector<double, 3> z = view(kInYard, marker, sensor);
+    const Match match = explained(z, 7, kInYard, 0, 0, sensor).match;
     const Mounted<MarkerSighting<double, Bearing<double>, Elevation<double>, Range<double>>, double>
         model{{{marker.x_m, marker.y_m, marker.z_m - sensor.z_m}},
               {sensor.x_m, sensor.y_m, sensor.yaw_rad}};
-    const auto h = model.linearize(kRobot);
+    const auto h = model.linearize(kInYard);
     for (int i = 0; i < 3; ++i) {
         EXPECT_NEAR(match.rows[i].by_x, h.jacobian(i, kX), 1e-12);
         EXPECT_NEAR(match.rows[i].by_y, h.jacobian(i, kY), 1e-12);
@@ -109,12 +105,12 @@ TEST(LikelihoodTest, WhatIsNotNearAddsNothingThatCounts) {
     for (int run = 0; run < 2000; ++run) {
         const auto id = static_cast<int>(draw.uniform(0, 10));
         const Vector<double, 3> n = draw.normal<double, 3>() * 8;
-        Vector<double, 3> z = view(kRobot, kYard.markers()[static_cast<std::size_t>(id)]);
+        Vector<double, 3> z = view(kInYard, kYard.markers()[static_cast<std::size_t>(id)]);
         z += Vector<double, 3>(0.02 * n[0], 0.02 * n[1], 0.1 * n[2]);
         z = only(z, run % 2 == 0, false, run % 3 != 0 || run % 2 != 0);
         const Sighting sighting{{z[0], z[1], z[2]}, {kNan, kNan, kNan}, id, -1};
-        const View v = view_of(sighting, as_usual, kYard, kSite);
-        const Frame robot(kRobot);
+        const View v = view_of(sighting, as_usual, kYard, kYardSite);
+        const Frame robot(kInYard);
         const Pose<double> sensor = robot.out_of(v.place);
         const Point along = turned({robot.c, robot.s}, v.along);
         const Match match = held_against(*v.marker, v, robot, sensor, 1);

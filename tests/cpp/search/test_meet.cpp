@@ -10,14 +10,14 @@
 namespace pilotage::test {
 namespace {
 
-struct Scene {
+struct Meeting {
     Pose<double> robot, place;
     Point a, b;
 };
 
-std::vector<Scene> scenes() {
+std::vector<Meeting> meetings() {
     Draw draw(1);
-    std::vector<Scene> result;
+    std::vector<Meeting> result;
     for (int i = 0; i < 100; ++i) {
         const auto robot = draw.pose<double>();
         const auto near = [&] {
@@ -35,7 +35,7 @@ bool puts(const Places& places, const Pose<double>& robot) {
 }
 
 TEST(MeetTest, RaysAndCirclesFromTwoPlacesMeetWhereTheRobotIs) {
-    for (const Scene& s : scenes())
+    for (const Meeting& s : meetings())
         for (const bool ray_a : {true, false})
             for (const bool ray_b : {true, false}) {
                 const Clue a = exact_clue(s.robot, {0, 0, 0}, s.a, ray_a, !ray_a);
@@ -46,7 +46,7 @@ TEST(MeetTest, RaysAndCirclesFromTwoPlacesMeetWhereTheRobotIs) {
 }
 
 TEST(MeetTest, MarkersAreAheadOfTheirBearings) {
-    for (const Scene& s : scenes()) {
+    for (const Meeting& s : meetings()) {
         const Clue a = exact_clue(s.robot, {0, 0, 0}, s.a, true, false);
         const Clue b = exact_clue(s.robot, {0, 0, 0}, s.b, true, false);
         EXPECT_TRUE(ahead(a, s.robot.head<2>(), direction(s.robot[kHeading])));
@@ -83,7 +83,7 @@ TEST(MeetTest, CirclesThatNoiseKeepsApartMeetHalfwayAndFarOnesDoNot) {
 }
 
 TEST(RigidFitTest, TwoPointsGiveThePose) {
-    for (const Scene& s : scenes()) {
+    for (const Meeting& s : meetings()) {
         const Clue a = exact_clue(s.robot, {0, 0, 0}, s.a, true, true);
         const Clue b = exact_clue(s.robot, s.place, s.b, true, true);
         ASSERT_TRUE(same_distance(a, b));

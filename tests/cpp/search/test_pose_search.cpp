@@ -24,8 +24,8 @@ Params one_sensor() {
 }
 
 /// Newest first: all markers seen from each of the poses, the last of which is now.
-std::vector<Evidence> seen(const MarkerMap& map, const std::vector<Pose<double>>& poses,
-                           const Mix& mix, bool ids) {
+std::vector<Evidence> all_seen(const MarkerMap& map, const std::vector<Pose<double>>& poses,
+                               const Mix& mix, bool ids) {
     std::vector<Evidence> result;
     for (auto pose = poses.rbegin(); pose != poses.rend(); ++pose)
         for (const Marker& marker : map.markers())
@@ -51,7 +51,7 @@ TEST(PoseSearchTest, ExactSightingsOfAnyMixGiveThePoseFirst) {
     MarkerMap few({{1, -4, 1, 0, 0}, {2, 5, 3, 0, 0}, {3, 1, 6, 0, 0}, {5, 7, -6, 0, 0}});
     for (const bool ids : {true, false})
         for (const Mix& mix : {kBearings, kAngles, kPoints, kRanges}) {
-            const auto hypotheses = found(few, seen(few, kDrive, mix, ids));
+            const auto hypotheses = found(few, all_seen(few, kDrive, mix, ids));
             ASSERT_FALSE(hypotheses.empty());
             EXPECT_TRUE(same_pose(hypotheses[0].pose, kDrive.back(), 0.01))
                 << mix.transpose() << " ids " << ids;
@@ -63,7 +63,7 @@ TEST(PoseSearchTest, ExactSightingsOfAnyMixGiveThePoseFirst) {
 TEST(PoseSearchTest, TwoMarkersSeenOnTheWayAreEnough) {
     const MarkerMap two({{1, -4, 1, 0, 0}, {2, 5, 3, 0, 0}});
     for (const Mix& mix : {kBearings, kAngles, kPoints}) {
-        const auto hypotheses = found(two, seen(two, kDrive, mix, true));
+        const auto hypotheses = found(two, all_seen(two, kDrive, mix, true));
         ASSERT_FALSE(hypotheses.empty());
         EXPECT_TRUE(same_pose(hypotheses[0].pose, kDrive.back(), 0.02)) << mix.transpose();
     }
@@ -71,8 +71,8 @@ TEST(PoseSearchTest, TwoMarkersSeenOnTheWayAreEnough) {
 
 TEST(PoseSearchTest, OneSensorsBearingsAndAnothersRangesGoTogether) {
     const MarkerMap map({{1, -4, 1, 0, 0}, {2, 5, 3, 0, 0}, {3, 1, 6, 0, 0}, {5, 7, -6, 0, 0}});
-    auto evidence = seen(map, kDrive, kBearings, true);
-    const auto ranges = seen(map, kDrive, kRanges, true);
+    auto evidence = all_seen(map, kDrive, kBearings, true);
+    const auto ranges = all_seen(map, kDrive, kRanges, true);
     for (std::size_t i = 0; i < evidence.size(); i += 2) evidence[i] = ranges[i];
     const auto hypotheses = found(map, evidence);
     ASSERT_FALSE(hypotheses.empty());
@@ -84,7 +84,7 @@ TEST(PoseSearchTest, ASymmetricMapGivesBothPosesWithTheSameEvidence) {
         {{1, 3, 5, 0, 0}, {2, -3, 5, 0, 0}, {3, -3, -5, 0, 0}, {4, 3, -5, 0, 0}});
     const Pose<double> there(-2.2, 0.8, 1.1 - kPi<double>);
     for (const Mix& mix : {kBearings, kAngles, kPoints, kRanges}) {
-        const auto hypotheses = found(square, seen(square, kDrive, mix, false));
+        const auto hypotheses = found(square, all_seen(square, kDrive, mix, false));
         ASSERT_GE(hypotheses.size(), 2U) << mix.transpose();
         EXPECT_TRUE(among({hypotheses[0], hypotheses[1]}, kDrive.back(), 0.02)) << mix.transpose();
         EXPECT_TRUE(among({hypotheses[0], hypotheses[1]}, there, 0.02)) << mix.transpose();
@@ -101,7 +101,7 @@ TEST(PoseSearchTest, RangesOfBeaconsInALineLeaveTheMirrorImage) {
                             0.5);
     };
     const auto hypotheses =
-        found(line, seen(line, {behind(1.5), behind(0.75), here}, kRanges, true));
+        found(line, all_seen(line, {behind(1.5), behind(0.75), here}, kRanges, true));
     ASSERT_GE(hypotheses.size(), 2U);
     EXPECT_TRUE(among({hypotheses[0], hypotheses[1]}, here, 0.05));
     EXPECT_TRUE(among({hypotheses[0], hypotheses[1]}, mirrored, 0.05));
@@ -109,7 +109,7 @@ TEST(PoseSearchTest, RangesOfBeaconsInALineLeaveTheMirrorImage) {
 }
 
 TEST(PoseSearchTest, RangesFromOnePlaceLeaveTheHeadingOpen) {
-    const auto hypotheses = found(yard(), seen(yard(), {{1, 2, 0.5}}, kRanges, true));
+    const auto hypotheses = found(kYard, all_seen(kYard, {{1, 2, 0.5}}, kRanges, true));
     ASSERT_FALSE(hypotheses.empty());
     for (const Hypothesis& h : hypotheses)
         EXPECT_TRUE(hypotheses.size() > 1 || h.covariance(kHeading, kHeading) > 1);
@@ -118,14 +118,14 @@ TEST(PoseSearchTest, RangesFromOnePlaceLeaveTheHeadingOpen) {
 TEST(PoseSearchTest, OneMarkerOrNothingGivesNoPose) {
     const MarkerMap one({{1, 4, 4, 0, 0}});
     for (const Mix& mix : {kBearings, kAngles, kPoints, kRanges})
-        EXPECT_TRUE(found(one, seen(one, kDrive, mix, true)).empty());
-    EXPECT_TRUE(found(yard(), {}).empty());
-    EXPECT_TRUE(found(MarkerMap(), seen(yard(), kDrive, kPoints, true)).empty());
+        EXPECT_TRUE(found(one, all_seen(one, kDrive, mix, true)).empty());
+    EXPECT_TRUE(found(kYard, {}).empty());
+    EXPECT_TRUE(found(MarkerMap(), all_seen(kYard, kDrive, kPoints, true)).empty());
 }
 
 TEST(PoseSearchTest, SightingsOfUnknownMarkersDoNotCount) {
     const MarkerMap map({{1, -4, 1, 0, 0}, {2, 5, 3, 0, 0}, {3, 1, 6, 0, 0}});
-    auto evidence = seen(map, kDrive, kPoints, true);
+    auto evidence = all_seen(map, kDrive, kPoints, true);
     auto stranger = evidence[0];
     stranger.sighting.id = 99;
     evidence.insert(evidence.begin() + 1, stranger);
@@ -133,8 +133,8 @@ TEST(PoseSearchTest, SightingsOfUnknownMarkersDoNotCount) {
 }
 
 TEST(PoseSearchTest, AGuessIsJudgedWithTheOthers) {
-    PoseSearch search(one_sensor(), yard());
-    const auto evidence = seen(yard(), {kDrive.back()}, {1, 0, 0}, true);
+    PoseSearch search(one_sensor(), kYard);
+    const auto evidence = all_seen(kYard, {kDrive.back()}, {1, 0, 0}, true);
     const Pose<double> guess = kDrive.back() + Pose<double>(0.1, 0.1, 0.05);
     const Hypotheses h = search.run(evidence.data(), 1, &guess, 1);
     ASSERT_EQ(h.count, 0);  // one sighting proves nothing
@@ -142,9 +142,9 @@ TEST(PoseSearchTest, AGuessIsJudgedWithTheOthers) {
 }
 
 TEST(PoseSearchTest, CarriedOffTheNewestSightingsSpeakForTheNewPlace) {
-    const MarkerMap map = yard();
-    auto evidence = seen(map, {{-3, 2, 2.5}}, kPoints, true);
-    const auto before = seen(map, kDrive, kPoints, true);
+    const MarkerMap& map = kYard;
+    auto evidence = all_seen(map, {{-3, 2, 2.5}}, kPoints, true);
+    const auto before = all_seen(map, kDrive, kPoints, true);
     evidence.resize(6);
     for (Evidence& e : evidence) e.log_likelihood = -std::numeric_limits<double>::infinity();
     PoseSearch search(one_sensor(), map);
@@ -161,8 +161,8 @@ TEST(PoseSearchTest, CarriedOffTheNewestSightingsSpeakForTheNewPlace) {
 }
 
 TEST(PoseSearchTest, IsTheSameForTheSameAndTakesNothingFromTheHeap) {
-    SightingDrive drive(yard(), {true, false, false, false, 0.2, 2, 4}, 3);
-    PoseSearch search(drive.params(), yard()), other(drive.params(), yard());
+    SightingDrive drive(kYard, {true, false, false, false, 0.2, 2, 4}, 3);
+    PoseSearch search(drive.params(), kYard), other(drive.params(), kYard);
     for (int frame = 0; frame < 12; ++frame) drive.step();
     const auto& evidence = drive.newest_first();
     const AllocationCount count;
@@ -178,8 +178,8 @@ TEST(PoseSearchTest, IsTheSameForTheSameAndTakesNothingFromTheHeap) {
 }
 
 TEST(PoseSearchTest, LikelihoodOfATrackCountsItsOwnUncertainty) {
-    const PoseSearch search(one_sensor(), yard());
-    const auto evidence = seen(yard(), {{1, 2, 0.5}}, kBearings, true);
+    const PoseSearch search(one_sensor(), kYard);
+    const auto evidence = all_seen(kYard, {{1, 2, 0.5}}, kBearings, true);
     const Sighting& sighting = evidence[0].sighting;
     const auto under = [&](double sigma_rad, double off_rad) {
         const Matrix<double, 3> p = Pose<double>(1e-4, 1e-4, sigma_rad * sigma_rad).asDiagonal();

@@ -24,7 +24,7 @@ double best_other(const Hypotheses& found, const Pose<double>& track) {
 /// \return for each frame of each drive, the best gain of another pose
 std::vector<std::vector<double>> gains(Sight sight, int runs, bool carried_off) {
     constexpr int kFrames = 40, kAfter = 4;
-    const MarkerMap map = yard();
+    const MarkerMap& map = kYard;
     std::vector<std::vector<double>> result;
     for (int run = 0; run < runs; ++run) {
         SightingDrive drive(map, sight, 5000 + static_cast<unsigned>(run));

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "pilotage/judge.hpp"
+#include "support/sanitized.hpp"
 #include "support/sighting_drives.hpp"
 
 namespace pilotage::test {
@@ -81,7 +82,7 @@ TEST(SearchStartsTest, WithIdsAStartIsRightAndWithinTenFrames) {
         for (const Sight& sight : {Sight{true, false, false, true, outliers, 3, 4},
                                    Sight{true, true, false, true, outliers, 3, 4},
                                    Sight{true, false, true, true, outliers, 3, 4}}) {
-            const Counts c = starts(yard(), sight, runs_of(60));
+            const Counts c = starts(kYard, sight, runs_of(60));
             EXPECT_LE(c.wrong, c.runs / 1000);
             EXPECT_GE(c.within_ten, (outliers > 0.1 ? 0.7 : 0.95) * c.runs);
             EXPECT_LT(c.squared_error, 1.8 * c.right);
@@ -89,7 +90,7 @@ TEST(SearchStartsTest, WithIdsAStartIsRightAndWithinTenFrames) {
 }
 
 TEST(SearchStartsTest, WithRangesAloneItIsRightOrUndecided) {
-    EXPECT_LE(starts(yard(), {false, false, true, true, 0.05, 3, 4}, runs_of(60)).wrong,
+    EXPECT_LE(starts(kYard, {false, false, true, true, 0.05, 3, 4}, runs_of(60)).wrong,
               runs_of(60) / 500);
 }
 
@@ -98,7 +99,7 @@ TEST(SearchStartsTest, WithoutIdsAStartIsRightOrUndecided) {
         for (const Sight& sight : {Sight{true, false, false, false, outliers, 3, 4},
                                    Sight{true, true, false, false, outliers, 3, 4},
                                    Sight{true, false, true, false, outliers, 3, 4}}) {
-            const Counts c = starts(yard(), sight, runs_of(20));
+            const Counts c = starts(kYard, sight, runs_of(repeats(20)));
             EXPECT_LE(c.wrong, c.runs / 500);
             const bool bearings_alone = !sight.elevation && !sight.range;
             EXPECT_GE(c.within_ten, (bearings_alone ? 0.4 : 0.85) * c.runs);

@@ -1,8 +1,8 @@
 #include "pilotage/sensing/bearing.hpp"
 
-#include "pilotage/sensing/marker_sighting.hpp"
 #include "support/jacobians.hpp"
 #include "support/points.hpp"
+#include "support/sightings.hpp"
 
 namespace pilotage::test {
 namespace {
@@ -10,11 +10,8 @@ namespace {
 PILOTAGE_SUITE(BearingTest);
 
 template <typename Scalar>
-using Sighting = MarkerSighting<Scalar, Bearing<Scalar>>;
-
-template <typename Scalar>
 Scalar bearing(const Pose<Scalar>& from, double marker_x, double marker_y) {
-    const Sighting<Scalar> sighting{{Scalar(marker_x), Scalar(marker_y), 0}};
+    const BearingOnly<Scalar> sighting{{Scalar(marker_x), Scalar(marker_y), 0}};
     return sighting.minus(sighting.linearize(from).value, Vector<Scalar, 1>(Scalar(0)))[0];
 }
 
@@ -36,7 +33,7 @@ TYPED_TEST(BearingTest, EveryQuadrantIsTold) {  // eq. 23 with atan2, where arct
 }
 
 TYPED_TEST(BearingTest, InnovationBehindTheRobotIsTheShortWay) {
-    const Sighting<TypeParam> sighting{{-5, 0, 0}};
+    const BearingOnly<TypeParam> sighting{{-5, 0, 0}};
     const auto predicted = sighting.linearize({0, 0, TypeParam(0.01)}).value;  // just short of pi
     const Vector<TypeParam, 1> measured(TypeParam(0.01) - kPi<TypeParam>);
     EXPECT_NEAR(sighting.minus(measured, predicted)[0], 0.02, kTight<TypeParam>);
@@ -44,14 +41,14 @@ TYPED_TEST(BearingTest, InnovationBehindTheRobotIsTheShortWay) {
 
 TYPED_TEST(BearingTest, HeightDoesNotMatter) {
     const Pose<TypeParam> x(1, 2, 3);
-    const auto low = Sighting<TypeParam>{{4, 6, -1}}.linearize(x).value;
-    EXPECT_EQ(low, (Sighting<TypeParam>{{4, 6, 9}}.linearize(x).value));
+    const auto low = BearingOnly<TypeParam>{{4, 6, -1}}.linearize(x).value;
+    EXPECT_EQ(low, (BearingOnly<TypeParam>{{4, 6, 9}}.linearize(x).value));
 }
 
 TYPED_TEST(BearingTest, JacobianIsTheDerivative) {
     for (const auto& x : poses<TypeParam>())
         for (const auto& marker : markers_around(x))
-            expect_jacobians(Sighting<TypeParam>{marker}, x);
+            expect_jacobians(BearingOnly<TypeParam>{marker}, x);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ std::vector<CameraModel> cameras() {
 }
 
 template <typename Scalar>
-std::vector<Vector<Scalar, 2>> pixels() {
+std::vector<Vector<Scalar, 2>> image_pixels() {
     std::vector<Vector<Scalar, 2>> result{{Scalar(322.5), Scalar(238)}};
     Draw draw(3);
     for (int i = 0; i < 50; ++i)
@@ -35,7 +35,7 @@ std::vector<Vector<Scalar, 2>> pixels() {
 TYPED_TEST(CameraModelTest, JacobianOfProjectionIsTheDerivative) {
     using D = Dual<TypeParam>;
     for (const CameraModel& camera : cameras())
-        for (const auto& pixel : pixels<TypeParam>()) {
+        for (const auto& pixel : image_pixels<TypeParam>()) {
             const Vector<TypeParam, 3> point = camera.ray(pixel).value * TypeParam(3);
             const auto h = camera.project(point);
             ASSERT_TRUE(h.defined);
@@ -48,7 +48,7 @@ TYPED_TEST(CameraModelTest, JacobianOfProjectionIsTheDerivative) {
 
 TYPED_TEST(CameraModelTest, RayUndoesTheProjectionAndItsDerivative) {
     for (const CameraModel& camera : cameras())
-        for (const auto& pixel : pixels<TypeParam>()) {
+        for (const auto& pixel : image_pixels<TypeParam>()) {
             const auto ray = camera.ray(pixel);
             ASSERT_TRUE(ray.defined);
             const auto back = camera.project(ray.value);
@@ -62,7 +62,7 @@ TYPED_TEST(CameraModelTest, RayUndoesTheProjectionAndItsDerivative) {
 TYPED_TEST(CameraModelTest, DerivativeOfAnglesIsADifferenceQuotient) {
     const TypeParam step = std::is_same_v<TypeParam, float> ? TypeParam(1) : TypeParam(1e-3);
     for (const CameraModel& camera : cameras())
-        for (const auto& pixel : pixels<TypeParam>()) {
+        for (const auto& pixel : image_pixels<TypeParam>()) {
             const auto h = camera.angles(pixel);
             for (int i = 0; i < 2; ++i) {
                 Vector<TypeParam, 2> before = pixel, after = pixel;

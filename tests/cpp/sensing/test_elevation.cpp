@@ -1,8 +1,8 @@
 #include "pilotage/sensing/elevation.hpp"
 
-#include "pilotage/sensing/marker_sighting.hpp"
 #include "support/jacobians.hpp"
 #include "support/points.hpp"
+#include "support/sightings.hpp"
 
 namespace pilotage::test {
 namespace {
@@ -10,12 +10,9 @@ namespace {
 PILOTAGE_SUITE(ElevationTest);
 
 template <typename Scalar>
-using Sighting = MarkerSighting<Scalar, Elevation<Scalar>>;
-
-template <typename Scalar>
 Scalar elevation(const Pose<Scalar>& from, double x, double y, double above_sensor) {
     const Vector<Scalar, 3> marker{Scalar(x), Scalar(y), Scalar(above_sensor)};
-    return Sighting<Scalar>{marker}.linearize(from).value[0];
+    return ElevationOnly<Scalar>{marker}.linearize(from).value[0];
 }
 
 TYPED_TEST(ElevationTest, LevelMarkerIsAtZeroAndUpIsPositive) {
@@ -38,7 +35,7 @@ TYPED_TEST(ElevationTest, HeadingDoesNotMatter) {
 TYPED_TEST(ElevationTest, JacobianIsTheDerivative) {
     for (const auto& x : poses<TypeParam>())
         for (const auto& marker : markers_around(x))
-            expect_jacobians(Sighting<TypeParam>{marker}, x);
+            expect_jacobians(ElevationOnly<TypeParam>{marker}, x);
 }
 
 // Erratum: driving towards a ground marker lowers it, so with Delta = marker - robot the derivative
@@ -48,7 +45,7 @@ TYPED_TEST(ElevationTest, PrintedSignsOfEquation25AreTheWrongWayRound) {
     const TypeParam mu = TypeParam(1.2), dx = 3, dy = 4, d = 5;
     const Matrix<TypeParam, 1, 3> printed(mu * dx / (d * (mu * mu + d * d)),
                                           mu * dy / (d * (mu * mu + d * d)), 0);
-    const auto h = Sighting<TypeParam>{{4, 6, -mu}}.linearize(x).jacobian;
+    const auto h = ElevationOnly<TypeParam>{{4, 6, -mu}}.linearize(x).jacobian;
     EXPECT_TRUE(close(h, -printed, kTight<TypeParam>));
     EXPECT_FALSE(close(h, printed, 0.1 * printed.norm()));
     EXPECT_LT(elevation(x, 4, 6, -1.2), elevation<TypeParam>({0, 2, 3}, 4, 6, -1.2));

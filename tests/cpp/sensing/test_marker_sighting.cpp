@@ -1,10 +1,8 @@
 #include "pilotage/sensing/marker_sighting.hpp"
 
-#include "pilotage/sensing/bearing.hpp"
-#include "pilotage/sensing/elevation.hpp"
-#include "pilotage/sensing/range.hpp"
 #include "support/jacobians.hpp"
 #include "support/points.hpp"
+#include "support/sightings.hpp"
 
 namespace pilotage::test {
 namespace {
@@ -18,9 +16,6 @@ TEST(MarkerSighting, BearingAndRangeAreMeasuredTogether) {
     EXPECT_TRUE(h.defined);
     EXPECT_TRUE(close(h.value, Vector<double, 2>(std::atan2(4, 3), 5), 1e-12));
 }
-
-template <typename Scalar>
-using All = MarkerSighting<Scalar, Bearing<Scalar>, Elevation<Scalar>, Range<Scalar>>;
 
 TYPED_TEST(MarkerSightingTest, StackedRowsAreTheComponentsInTheirOrder) {
     using S = TypeParam;
@@ -36,21 +31,21 @@ TYPED_TEST(MarkerSightingTest, StackedRowsAreTheComponentsInTheirOrder) {
 }
 
 TYPED_TEST(MarkerSightingTest, OnlyTheBearingsDifferenceWraps) {
-    const All<TypeParam> sighting{{1, 0, 0}};
+    const BearingElevationRange<TypeParam> sighting{{1, 0, 0}};
     const Vector<TypeParam, 3> difference = sighting.minus({4, 4, 4}, {-1, -1, -1});
     const Vector<TypeParam, 3> expected(5 - 2 * kPi<TypeParam>, 5, 5);
     EXPECT_TRUE(close(difference, expected, kTight<TypeParam>));
 }
 
 TYPED_TEST(MarkerSightingTest, AtTheMarkerThereIsNoDirection) {
-    const All<TypeParam> sighting{{1, 2, 3}};
+    const BearingElevationRange<TypeParam> sighting{{1, 2, 3}};
     EXPECT_FALSE(sighting.linearize({1, 2, 0}).defined);
     EXPECT_TRUE(sighting.linearize({TypeParam(1.001), 2, 0}).defined);
     EXPECT_FALSE(sighting.linearize({NAN, 2, 0}).defined);
 }
 
 TYPED_TEST(MarkerSightingTest, NearestUsableDistanceIsOverGround) {
-    const All<TypeParam> sighting{{1, 2, 3}, {}, TypeParam(0.5)};
+    const BearingElevationRange<TypeParam> sighting{{1, 2, 3}, {}, TypeParam(0.5)};
     EXPECT_FALSE(sighting.linearize({TypeParam(1.49), 2, 0}).defined);
     EXPECT_TRUE(sighting.linearize({TypeParam(1.51), 2, 0}).defined);
 }
@@ -65,7 +60,7 @@ TYPED_TEST(MarkerSightingTest, JacobianOfEveryMixIsTheDerivative) {
             expect_jacobians(MarkerSighting<S, B, E>{marker}, x);
             expect_jacobians(MarkerSighting<S, B, R>{marker}, x);
             expect_jacobians(MarkerSighting<S, E, R>{marker}, x);
-            expect_jacobians(All<S>{marker, {{}, {}, {S(1.069), S(0.12)}}}, x);
+            expect_jacobians(BearingElevationRange<S>{marker, {{}, {}, {S(1.069), S(0.12)}}}, x);
         }
 }
 

@@ -1,11 +1,8 @@
 #include "pilotage/sensing/mounted.hpp"
 
-#include "pilotage/sensing/bearing.hpp"
-#include "pilotage/sensing/elevation.hpp"
-#include "pilotage/sensing/marker_sighting.hpp"
-#include "pilotage/sensing/range.hpp"
 #include "support/jacobians.hpp"
 #include "support/points.hpp"
+#include "support/sightings.hpp"
 
 namespace pilotage::test {
 namespace {
@@ -13,9 +10,7 @@ namespace {
 PILOTAGE_SUITE(MountedTest);
 
 template <typename Scalar>
-using All = MarkerSighting<Scalar, Bearing<Scalar>, Elevation<Scalar>, Range<Scalar>>;
-template <typename Scalar>
-using Camera = Mounted<All<Scalar>, Scalar>;
+using Camera = Mounted<BearingElevationRange<Scalar>, Scalar>;
 
 template <typename Scalar>
 PlanarMounting<Scalar> mounting(double x, double y, double yaw) {
@@ -23,7 +18,7 @@ PlanarMounting<Scalar> mounting(double x, double y, double yaw) {
 }
 
 TYPED_TEST(MountedTest, SensorAtTheOriginOfTheRobotIsTheSensorAlone) {
-    const All<TypeParam> sighting{{5, 6, -1}};
+    const BearingElevationRange<TypeParam> sighting{{5, 6, -1}};
     const auto bare = sighting.linearize({1, 2, 3});
     const auto mounted = Camera<TypeParam>{sighting}.linearize({1, 2, 3});
     EXPECT_EQ(mounted.value, bare.value);
@@ -42,7 +37,7 @@ TYPED_TEST(MountedTest, OffsetsPointForwardAndLeft) {
 }
 
 TYPED_TEST(MountedTest, CameraTurnedLeftSeesTheMarkerFurtherRight) {
-    const All<TypeParam> sighting{{15, 20, 0}};
+    const BearingElevationRange<TypeParam> sighting{{15, 20, 0}};
     const Camera<TypeParam> camera{sighting, mounting<TypeParam>(0, 0, 0.5)};
     EXPECT_NEAR(camera.linearize({10, 20, 0}).value[0], -0.5, kTight<TypeParam>);
 }

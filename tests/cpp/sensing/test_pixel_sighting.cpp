@@ -9,8 +9,6 @@ namespace {
 
 PILOTAGE_SUITE(PixelSightingTest);
 
-const SensorParams kSensor = camera_sensor();
-
 /// Markers in front of a sensor.
 template <typename Scalar>
 std::vector<Vector<Scalar, 3>> markers_before(const Pose<Scalar>& sensor) {
@@ -28,7 +26,7 @@ std::vector<Vector<Scalar, 3>> markers_before(const Pose<Scalar>& sensor) {
 TYPED_TEST(PixelSightingTest, JacobianIsTheDerivative) {
     for (const auto& x : poses<TypeParam>())
         for (const auto& marker : markers_before(x)) {
-            const PixelSighting<TypeParam> sighting{marker, &kSensor.camera};
+            const PixelSighting<TypeParam> sighting{marker, &kCamera.camera};
             expect_jacobians(sighting, x);
             const PlanarMounting<TypeParam> still{};
             expect_jacobians(Mounted<PixelSighting<TypeParam>, TypeParam>{sighting, still}, x);
@@ -39,17 +37,17 @@ TYPED_TEST(PixelSightingTest, MountedItIsWhereGeometrySaysThatItIs) {
     const Marker marker{1, 5, 3, 0.5, 0};
     const Pose<double> robot(1, 2, 0.3);
     const Mounted<PixelSighting<TypeParam>, TypeParam> model{
-        {{5, 3, TypeParam(0.5 - kSensor.z_m)}, &kSensor.camera},
-        {TypeParam(kSensor.x_m), TypeParam(kSensor.y_m), TypeParam(kSensor.yaw_rad)}};
+        {{5, 3, TypeParam(0.5 - kCamera.z_m)}, &kCamera.camera},
+        {TypeParam(kCamera.x_m), TypeParam(kCamera.y_m), TypeParam(kCamera.yaw_rad)}};
     const Vector<double, 2> expected =
-        kSensor.camera.project(in_sensor(robot, marker, kSensor)).value;
+        kCamera.camera.project(in_sensor(robot, marker, kCamera)).value;
     const Pose<TypeParam> x = robot.cast<TypeParam>();
     EXPECT_TRUE(close(model.linearize(x).value, Vector<TypeParam, 2>(expected.cast<TypeParam>()),
                       kTight<TypeParam>));
 }
 
 TYPED_TEST(PixelSightingTest, AMarkerBehindTheCameraIsNotDefined) {
-    const PixelSighting<TypeParam> behind{{-3, 0, 0}, &kSensor.camera};
+    const PixelSighting<TypeParam> behind{{-3, 0, 0}, &kCamera.camera};
     EXPECT_FALSE(behind.linearize({0, 0, 0}).defined);
     EXPECT_TRUE(behind.linearize({0, 0, TypeParam(3.1)}).defined);
 }

@@ -6,14 +6,13 @@
 #include "pilotage/sensing/mounted.hpp"
 #include "support/jacobians.hpp"
 #include "support/points.hpp"
+#include "support/units.hpp"
 #include "support/worlds.hpp"
 
 namespace pilotage::test {
 namespace {
 
 PILOTAGE_SUITE(WallRangeTest);
-
-const double kDegree = kPi<double> / 180;
 
 // The runnable example: a scanner looks left at a wall 2 m beside the robot.
 TEST(WallRange, BeamToTheLeftMeasuresTheWallThere) {

@@ -1,25 +1,22 @@
 #include "pilotage/sensing/world_bearing.hpp"
 
-#include "pilotage/sensing/marker_sighting.hpp"
 #include "support/jacobians.hpp"
 #include "support/points.hpp"
+#include "support/sightings.hpp"
 
 namespace pilotage::test {
 namespace {
 
 PILOTAGE_SUITE(WorldBearingTest);
 
-template <typename Scalar>
-using Sighting = MarkerSighting<Scalar, WorldBearing<Scalar>>;
-
 // The runnable example: a robot 1 m south of a marker.
 TEST(WorldBearing, IsTheDirectionFromTheMarkerToTheRobot) {
-    const Sighting<double> sighting{{4, 6, 0}};
+    const WorldBearingOnly<double> sighting{{4, 6, 0}};
     EXPECT_DOUBLE_EQ(sighting.linearize({4, 5, 0.3}).value[0], -kPi<double> / 2);
 }
 
 TYPED_TEST(WorldBearingTest, HeadingIsNotSeen) {
-    const Sighting<TypeParam> sighting{{4, 6, 0}};
+    const WorldBearingOnly<TypeParam> sighting{{4, 6, 0}};
     const auto h = sighting.linearize({1, 2, TypeParam(0.3)});
     EXPECT_EQ(h.value, sighting.linearize({1, 2, -2}).value);
     EXPECT_EQ(h.jacobian(0, kHeading), 0);
@@ -27,7 +24,7 @@ TYPED_TEST(WorldBearingTest, HeadingIsNotSeen) {
 
 // Erratum: looking towards +x the angle sits at pi, and the innovation has to wrap.
 TYPED_TEST(WorldBearingTest, InnovationBeforeAMarkerToTheEastIsTheShortWay) {
-    const Sighting<TypeParam> sighting{{5, 0, 0}};
+    const WorldBearingOnly<TypeParam> sighting{{5, 0, 0}};
     const auto predicted = sighting.linearize({0, TypeParam(0.1), 0}).value;
     const auto measured = sighting.linearize({0, TypeParam(-0.1), 0}).value;
     EXPECT_GT(std::abs(measured[0] - predicted[0]), 6);
@@ -37,7 +34,7 @@ TYPED_TEST(WorldBearingTest, InnovationBeforeAMarkerToTheEastIsTheShortWay) {
 TYPED_TEST(WorldBearingTest, JacobianIsTheDerivative) {
     for (const auto& x : poses<TypeParam>())
         for (const auto& marker : markers_around(x))
-            expect_jacobians(Sighting<TypeParam>{marker}, x);
+            expect_jacobians(WorldBearingOnly<TypeParam>{marker}, x);
 }
 
 }  // namespace

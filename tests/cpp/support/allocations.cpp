@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <new>
 
+#include "support/sanitized.hpp"
+
 namespace {
 thread_local long allocations = 0;
 }  // namespace
@@ -13,15 +15,6 @@ long AllocationCount::total() noexcept {
     return allocations;
 }
 }  // namespace pilotage::test
-
-// gcc and clang say it in different ways.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define PILOTAGE_SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define PILOTAGE_SANITIZED
-#endif
-#endif
 
 #ifdef PILOTAGE_SANITIZED
 

@@ -10,7 +10,7 @@ namespace pilotage::test {
 namespace {
 
 template <typename Message>
-void take(std::vector<Message>& messages, const std::uint8_t* data, std::size_t size) {
+void take_message(std::vector<Message>& messages, const std::uint8_t* data, std::size_t size) {
     Message message;
     ASSERT_EQ(message.decode(data, 0, static_cast<int>(size)), static_cast<int>(size));
     EXPECT_EQ(flaw_in(message), "");
@@ -80,11 +80,11 @@ void Bench::wait(std::int64_t until) {
 }
 
 void Bench::message(const std::string& channel, const std::uint8_t* data, std::size_t size) {
-    if (channel == "POSE") return take(poses, data, size);
-    if (channel == "MARKER_REPORT") return take(reports, data, size);
-    if (channel == "STATUS") return take(statuses, data, size);
-    if (channel == "ODOMETRY") return take(odometry, data, size);
-    if (channel == "POSE_JUMP") return take(jumps, data, size);
+    if (channel == "POSE") return take_message(poses, data, size);
+    if (channel == "MARKER_REPORT") return take_message(reports, data, size);
+    if (channel == "STATUS") return take_message(statuses, data, size);
+    if (channel == "ODOMETRY") return take_message(odometry, data, size);
+    if (channel == "POSE_JUMP") return take_message(jumps, data, size);
     ADD_FAILURE() << "a message on channel " << channel;
 }
 

@@ -25,6 +25,18 @@ map:
 - {id: 1, x: 6, y: 2, z: 0.4}
 - {id: 2, x: 4, y: -4}
 )";
+inline const MarkerMap kPlainMap({{1, 6, 2, 0.4, 0}, {2, 4, -4, 0, 0}});
+
+/// The same robot with a gyro, among the markers of kAroundOrigin.
+inline constexpr const char* kGyroRobot = R"(
+motion: {heading: gyro}
+initial: {x_m: 0, y_m: 0, heading_rad: 0}
+sensors: {camera: {}}
+map:
+- {id: 1, x: 6, y: 2, z: 0.4}
+- {id: 2, x: -3, y: 5, z: 0.3}
+- {id: 3, x: 4, y: -4, z: 0.2}
+)";
 
 class Bench final : private EngineOutput {
    public:

@@ -9,6 +9,8 @@
 
 namespace pilotage::test {
 
+using Ids = std::vector<int>;  ///< of each sighting, or -1
+
 /// A robot that takes itself to be at `pose`, before a map.
 struct Scene {
     MarkerMap map;
@@ -30,10 +32,9 @@ struct Scene {
         return {{values[0], values[1], values[2]}, {kNan, kNan, kNan}, kUnknownId, -1};
     }
 
-    /// Id of each sighting, or -1.
     template <typename Scalar>
-    std::vector<int> ids() {
-        std::vector<int> ids;
+    Ids ids() {
+        Ids ids;
         for (const Association& of : associate<Scalar>()) ids.push_back(of.id);
         return ids;
     }

@@ -24,6 +24,8 @@ namespace pilotage::test {
     return sensor;
 }
 
+inline const SensorParams kCamera = camera_sensor();
+
 /// A marker in the level sensor frame, from a pose of the robot.
 [[nodiscard]] inline Vector<double, 3> in_sensor(const Pose<double>& robot, const Marker& marker,
                                                  const SensorParams& sensor) {

@@ -50,15 +50,11 @@ class Journey {
 };
 
 /// Three markers around the origin.
-[[nodiscard]] inline MarkerMap markers_around_origin() {
-    return MarkerMap({{1, 6, 2, 0.4, 0}, {2, -3, 5, 0.3, 0}, {3, 4, -4, 0.2, 0}});
-}
+inline const MarkerMap kAroundOrigin({{1, 6, 2, 0.4, 0}, {2, -3, 5, 0.3, 0}, {3, 4, -4, 0.2, 0}});
 
 /// The robot of plain_params() with a gyro.
 [[nodiscard]] inline Params gyro_params() {
-    Params params = plain_params();
-    params.motion.heading = HeadingSource::gyro;
-    return params;
+    return params_with(HeadingSource::gyro);
 }
 
 /// (truth - estimate) against the covariance: chi-square of three where that is honest.

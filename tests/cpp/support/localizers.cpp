@@ -2,7 +2,7 @@
 
 namespace pilotage::test {
 
-std::string kind_name(const ::testing::TestParamInfo<Kind>& kind) {
+std::string kind_name(const ::testing::TestParamInfo<LocalizerKind>& kind) {
     return (kind.param.is_double ? "double" : "float") + std::to_string(kind.param.states);
 }
 
@@ -39,7 +39,7 @@ Verdict Tally::of(const Sample& sample) const {
     return at == verdicts_.end() ? Verdict::pending : at->second;
 }
 
-Robot::Any Robot::make(const Kind& kind, const Params& params, const MarkerMap& map,
+Robot::Any Robot::make(const LocalizerKind& kind, const Params& params, const MarkerMap& map,
                        const WallMap& walls, Tally& tally) {
     const bool pose_only = kind.states == kPoseStates;
     if (kind.is_double && pose_only) return Any(std::in_place_index<0>, params, map, tally, walls);
@@ -48,7 +48,8 @@ Robot::Any Robot::make(const Kind& kind, const Params& params, const MarkerMap& 
     return Any(std::in_place_index<3>, params, map, tally, walls);
 }
 
-Robot::Robot(const Kind& kind, const Params& params, const MarkerMap& map, const WallMap& walls)
+Robot::Robot(const LocalizerKind& kind, const Params& params, const MarkerMap& map,
+             const WallMap& walls)
     : localizer_(make(kind, params, map, walls, tally)) {}
 
 bool Robot::add(const Sample& sample) {

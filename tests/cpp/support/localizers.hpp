@@ -16,18 +16,18 @@
 namespace pilotage::test {
 
 /// One of the four localizers.
-struct Kind {
+struct LocalizerKind {
     bool is_double;
     int states;
     double tolerance;  ///< rounding over a drive of some thousand steps
 };
 
-inline constexpr Kind kKinds[] = {{true, kPoseStates, 1e-9},
-                                  {true, kCalibratedStates, 1e-9},
-                                  {false, kPoseStates, 2e-3},
-                                  {false, kCalibratedStates, 2e-3}};
+inline constexpr LocalizerKind kKinds[] = {{true, kPoseStates, 1e-9},
+                                           {true, kCalibratedStates, 1e-9},
+                                           {false, kPoseStates, 2e-3},
+                                           {false, kCalibratedStates, 2e-3}};
 
-[[nodiscard]] std::string kind_name(const ::testing::TestParamInfo<Kind>& kind);
+[[nodiscard]] std::string kind_name(const ::testing::TestParamInfo<LocalizerKind>& kind);
 
 /// Hears what becomes of each sample. A sample that the localizer has not
 /// spoken of is pending.
@@ -53,7 +53,7 @@ class Robot {
    public:
     Tally tally;
 
-    Robot(const Kind& kind, const Params& params, const MarkerMap& map = {},
+    Robot(const LocalizerKind& kind, const Params& params, const MarkerMap& map = {},
           const WallMap& walls = {});
 
     bool add(const Sample& sample);
@@ -78,7 +78,7 @@ class Robot {
    private:
     using Any = std::variant<Localizer<double, kPoseStates>, Localizer<double, kCalibratedStates>,
                              Localizer<float, kPoseStates>, Localizer<float, kCalibratedStates>>;
-    static Any make(const Kind& kind, const Params& params, const MarkerMap& map,
+    static Any make(const LocalizerKind& kind, const Params& params, const MarkerMap& map,
                     const WallMap& walls, Tally& tally);
 
     Any localizer_;
@@ -91,7 +91,7 @@ void expect_sums_hold(const Robot& robot);
 }  // namespace pilotage::test
 
 /// Declares a suite that runs for every localizer, `GetParam()`.
-#define PILOTAGE_LOCALIZER_SUITE(Suite)                                              \
-    class Suite : public ::testing::TestWithParam<::pilotage::test::Kind> {};        \
-    INSTANTIATE_TEST_SUITE_P(, Suite, ::testing::ValuesIn(::pilotage::test::kKinds), \
+#define PILOTAGE_LOCALIZER_SUITE(Suite)                                                \
+    class Suite : public ::testing::TestWithParam<::pilotage::test::LocalizerKind> {}; \
+    INSTANTIATE_TEST_SUITE_P(, Suite, ::testing::ValuesIn(::pilotage::test::kKinds),   \
                              ::pilotage::test::kind_name)

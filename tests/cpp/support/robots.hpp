@@ -10,10 +10,10 @@
 #include "pilotage/marker_map.hpp"
 #include "pilotage/params.hpp"
 #include "support/samples.hpp"
+#include "support/units.hpp"
 
 namespace pilotage::test {
 
-inline constexpr std::int64_t kSecond = 1'000'000;
 inline constexpr std::int64_t kPeriod = 20'000;  // of the motion samples, us
 
 /// Wheels of 1 mm a tick, 0.5 m apart, heading by the wheels, one sensor;
@@ -25,6 +25,22 @@ inline constexpr std::int64_t kPeriod = 20'000;  // of the motion samples, us
     params.sensor_count = 1;
     return params;
 }
+
+/// The same with another heading.
+[[nodiscard]] inline Params params_with(HeadingSource heading) {
+    Params params = plain_params();
+    params.motion.heading = heading;
+    return params;
+}
+
+/// Markers all around; two of them were surveyed poorly.
+inline const MarkerMap kSurveyedMarkers({{1, 6, 2, 0.4, 0.01},
+                                         {2, -3, 5, 0, 0},
+                                         {3, 4, -4, 0, 0.02}});
+
+/// Looks the same from the other side.
+inline const MarkerMap kRectangle(
+    {{1, 5, 3, 0, 0}, {2, -5, 3, 0, 0}, {3, -5, -3, 0, 0}, {4, 5, -3, 0, 0}});
 
 /// Encoder samples of `steps` periods with so many ticks in each, the first at
 /// utime 0.

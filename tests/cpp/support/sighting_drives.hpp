@@ -15,18 +15,18 @@
 namespace pilotage::test {
 
 /// Ten posts about a yard, as python/pilotage/simulate/worlds.py has them.
-[[nodiscard]] inline MarkerMap yard() {
-    return MarkerMap({{0, -8, -4, 0.5, 0},
-                      {1, -4, -6, 0.5, 0},
-                      {2, 1, -5, 0.5, 0},
-                      {3, 5, -5, 0.5, 0},
-                      {4, 6, 0, 0.5, 0},
-                      {5, 5, 4, 0.5, 0},
-                      {6, 0, 7, 0.5, 0},
-                      {7, -5, 7, 0.5, 0},
-                      {8, -9, 3, 0.5, 0},
-                      {9, -1.5, 0.5, 0.5, 0}});
-}
+inline const MarkerMap kYard({{0, -8, -4, 0.5, 0},
+                              {1, -4, -6, 0.5, 0},
+                              {2, 1, -5, 0.5, 0},
+                              {3, 5, -5, 0.5, 0},
+                              {4, 6, 0, 0.5, 0},
+                              {5, 5, 4, 0.5, 0},
+                              {6, 0, 7, 0.5, 0},
+                              {7, -5, 7, 0.5, 0},
+                              {8, -9, 3, 0.5, 0},
+                              {9, -1.5, 0.5, 0.5, 0}});
+inline const Site kYardSite(kYard);
+inline const Pose<double> kInYard(1, 2, 0.5);  ///< of a robot
 
 /// How the robot sees.
 struct Sight {

@@ -43,7 +43,7 @@ std::string flaw_of(const marker_report_t& report) {
     return "";
 }
 
-std::string flaw_in(const input_status_t& input) {
+std::string flaw_of_input(const input_status_t& input) {
     std::int64_t sum = input.fused + input.pending;
     for (const reason_count_t& r : input.rejected) {
         if (r.count <= 0) return "a count of none: " + r.reason;
@@ -86,7 +86,8 @@ std::string flaw_in(const status_t& status) {
     if (status.n_inputs != static_cast<int>(status.inputs.size())) return "inputs are miscounted";
     if (status.version.empty()) return "the version is missing";
     for (const input_status_t& input : status.inputs)
-        if (const std::string flaw = flaw_in(input); !flaw.empty()) return input.name + ": " + flaw;
+        if (const std::string flaw = flaw_of_input(input); !flaw.empty())
+            return input.name + ": " + flaw;
     return "";
 }
 
