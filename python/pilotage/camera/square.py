@@ -94,7 +94,7 @@ def _sides(
     patch = _patch(grey, place[:, 1:-1, None] + steps[:, None] * normals[:, 1:-1, None])
     if patch is None:
         return None
-    light, noise, by_pixels = patch
+    light, shares, by_pixels = patch
     rims = slice(0, reach - 1), slice(reach + 2, None)
     dark, bright = (light[..., rim].mean(axis=(1, 2)) for rim in rims)
     contrast = bright - dark
@@ -111,7 +111,7 @@ def _sides(
     for rim in rims:
         pull[..., rim] += common / light[0, :, rim].size
     weights = by_pixels(pull / contrast[:, None, None, None])
-    level, kept = (np.concatenate([a[..., rim] for rim in rims], axis=2) for a in (light, noise))
+    level, kept = (np.concatenate([a[..., rim] for rim in rims], axis=2) for a in (light, shares))
     uneven = level - design @ (fit @ level)
     variance = (uneven**2).sum() / kept.sum() / (1 - FITTED / count) + ROUNDING
     # Half of the modules beyond the border are bright, and each side has others.
@@ -137,7 +137,7 @@ def _patch(grey: Image, points: Array) -> tuple[Array, Array, Callable[[Array], 
 
     Returns
     -------
-    light (4, n, m) at points (4, n, m, 2) px, of a pixel's variance what it has, and what turns
+    light (4, n, m) at points (4, n, m, 2) px, their share of a pixel's variance, and what turns
     weights (4, 2, n, m) of the samples into weights (8, p) of the pixels that they are made of
     """
     low, high = points.min(axis=(0, 1, 2)), points.max(axis=(0, 1, 2))
